@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# FLINT and Arb as one target, FlintArb::FlintArb.
+#
+# FLINT 2 and Arb are two libraries (Debian calls Arb's libflint-arb, other systems libarb) with the headers <flint/fmpz.h>
+# and <arb.h>. From FLINT 3 on Arb is a part of FLINT and its header is <flint/arb.h>; the directory .../flint is then put
+# on the include path too, so that <arb.h> is the right spelling everywhere.
+find_path(FLINT_INCLUDE_DIR NAMES flint/flint.h)
+find_library(FLINT_LIBRARY NAMES flint)
+find_path(GMP_INCLUDE_DIR NAMES gmp.h)
+find_library(GMP_LIBRARY NAMES gmp)
+find_library(MPFR_LIBRARY NAMES mpfr)
+mark_as_advanced(FLINT_INCLUDE_DIR FLINT_LIBRARY GMP_INCLUDE_DIR GMP_LIBRARY MPFR_LIBRARY)
+
+set(FlintArb_VERSION "")
+if(FLINT_INCLUDE_DIR)
+  file(STRINGS "${FLINT_INCLUDE_DIR}/flint/flint.h" _flint_version
+    REGEX "^#define[ \t]+(__FLINT_VERSION(_MINOR|_PATCHLEVEL)?|FLINT_VERSION)[ \t]+[0-9\"]")
+  set(_flint_parts 0 0 0)
+  foreach(_line IN LISTS _flint_version)
+    if(_line MATCHES "[ \t]FLINT_VERSION[ \t]+\"([0-9.]+)")
+      set(FlintArb_VERSION "${CMAKE_MATCH_1}")
+    elseif(_line MATCHES "__FLINT_VERSION[ \t]+([0-9]+)")
+      set(_flint_major "${CMAKE_MATCH_1}")
+    elseif(_line MATCHES "__FLINT_VERSION_MINOR[ \t]+([0-9]+)")
+      set(_flint_minor "${CMAKE_MATCH_1}")
+    elseif(_line MATCHES "__FLINT_VERSION_PATCHLEVEL[ \t]+([0-9]+)")
+      set(_flint_patch "${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+  if(DEFINED _flint_major AND DEFINED _flint_minor AND DEFINED _flint_patch)
+    set(FlintArb_VERSION "${_flint_major}.${_flint_minor}.${_flint_patch}")
+  endif()
+endif()
+
+set(_flintarb_required FLINT_LIBRARY FLINT_INCLUDE_DIR GMP_LIBRARY GMP_INCLUDE_DIR MPFR_LIBRARY)
+if(FLINT_INCLUDE_DIR AND EXISTS "${FLINT_INCLUDE_DIR}/flint/arb.h")
+  set(_flintarb_include_dirs "${FLINT_INCLUDE_DIR}" "${FLINT_INCLUDE_DIR}/flint")
+  set(_flintarb_libraries "${FLINT_LIBRARY}")
+else()
+  find_path(ARB_INCLUDE_DIR NAMES arb.h)
+  find_library(ARB_LIBRARY NAMES flint-arb arb)
+  mark_as_advanced(ARB_INCLUDE_DIR ARB_LIBRARY)
+  list(APPEND _flintarb_required ARB_LIBRARY ARB_INCLUDE_DIR)
+  set(_flintarb_include_dirs "${FLINT_INCLUDE_DIR}" "${ARB_INCLUDE_DIR}")
+  set(_flintarb_libraries "${ARB_LIBRARY}" "${FLINT_LIBRARY}")
+endif()
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(FlintArb REQUIRED_VARS ${_flintarb_required} VERSION_VAR FlintArb_VERSION)
+if(FlintArb_FOUND AND NOT TARGET FlintArb::FlintArb)
+  list(REMOVE_DUPLICATES _flintarb_include_dirs)
+  add_library(FlintArb::FlintArb INTERFACE IMPORTED)
+  target_include_directories(FlintArb::FlintArb INTERFACE ${_flintarb_include_dirs} "${GMP_INCLUDE_DIR}")
+  target_link_libraries(FlintArb::FlintArb INTERFACE ${_flintarb_libraries} "${MPFR_LIBRARY}" "${GMP_LIBRARY}")
+endif()
