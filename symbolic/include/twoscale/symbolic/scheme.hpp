@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scheme: the one value that every recipe fills and every analysis, table, kernel and report reads.
+//
+// f^{k+1}_{m j + s} = sum_h phases[s](h) f^k_{j+h}, s = 0..m-1; in symbol form a_{s - m h} = phases[s](h), so that
+// f^{k+1}_i = sum_j a_{i-mj} f^k_j. Stationary, level-dependent and (later) non-uniform or Hermite are derived properties:
+// they differ in the scope of the parameters and in the block size only.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "twoscale/symbolic/laurent.hpp"
+#include "twoscale/symbolic/space.hpp"
+
+namespace twoscale {
+
+// A symbol in the coefficients of a scheme.
+struct Parameter {
+  enum class Scope {
+    constant,  // one value for the whole run
+    level,     // v = v^{[k+1]}, tied to the coarser value by v^k = T_m(v^{k+1})
+    local,     // one value for each place: knot intervals, edge parameters
+  };
+  std::string name;
+  Scope scope = Scope::constant;
+  std::optional<LevelVariable> frequency;  // of a level parameter
+};
+
+// One refinement rule. blocks[i] acts on f^k_{j + lowest + i}: block x block rational functions, row-major.
+struct Stencil {
+  long lowest = 0;
+  std::vector<std::vector<RationalFunction>> blocks;
+};
+
+// What the source of a scheme says about it; `prove` decides it.
+struct Claim {
+  std::string name;     // interpolatory, symmetric, generates, reproduces, maximal, sum-rules, well-defined, ...
+  std::string subject;  // a space, an order; may be empty
+  std::string source;   // paper and place; may be empty
+};
+
+struct Scheme {
+  std::string id;       // as the catalog spells it, e.g. "interpolating:family=mixed,l=3"
+  std::string title;
+  std::string source;   // paper and place
+  int arity = 2;
+  int block = 1;
+  std::vector<Parameter> parameters;
+  std::vector<Stencil> phases;  // arity of them
+  Rational shift;               // p: parameters t^k_j = (j + p)/m^k
+  std::optional<Space> space;   // the space it was built from, in the level variables of `parameters`
+  std::vector<Claim> claims;
+
+  // A scalar uniform scheme from its symbol; p is (a'(1)/a(1))/(m-1), which is c/(m-1) for a mask symmetric about c.
+  // Throws Error(bad_input) if p would depend on a parameter or a(1) = 0.
+  static Scheme from_symbol(std::string id, const Laurent& symbol, int arity, std::vector<Parameter> parameters);
+};
+
+// The symbol a(z) of a scalar scheme without local parameters.
+Laurent symbol(const Scheme& scheme);
+
+bool is_stationary(const Scheme& scheme);  // no level and no local parameter
+bool is_uniform(const Scheme& scheme);     // no local parameter
+bool is_interpolatory(const Scheme& scheme);  // a_{m j} = delta_{j0}
+std::vector<LevelVariable> level_variables(const Scheme& scheme);
+// The symbol at level variables 1: what the masks tend to. nullopt if there is a pole.
+std::optional<Laurent> limit_symbol(const Scheme& scheme);
+// Parameters for the level variables of a space.
+std::vector<Parameter> level_parameters(const Space& space);
+// "v^{k+1} = sqrt((1 + v^k)/2)" for m = 2, "v^k = T_3(v^{k+1}) = 4*v^3 - 3*v" in general.
+std::string recurrence(const std::string& variable, int arity);
+
+}  // namespace twoscale

@@ -1,0 +1,497 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "twoscale/symbolic/interpolatory.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "twoscale/symbolic/error.hpp"
+
+namespace twoscale {
+
+namespace {
+
+using Factors = RationalFunction::Factors;
+
+Polynomial integer_polynomial(const Rational& n) { return Polynomial::constant(n.numerator()); }
+
+size_t half_dimension(const Space& space) {
+  const unsigned n = space.dimension();
+  if (n == 0 || n % 2 == 1)
+    bad_input("an interpolating 2l-point scheme needs a space of even dimension, this one has dimension " + std::to_string(n),
+              space.to_string());
+  return n / 2;
+}
+
+// All sums w_i + w_j, factored and expanded once.
+class Sums {
+ public:
+  explicit Sums(const Space& space) : space_(space), nodes_(nodes(space)) {}
+
+  const FactoredPolynomial& factored(size_t i, size_t j) {
+    const auto key = std::pair(label(std::min(i, j)), label(std::max(i, j)));
+    auto at = factored_.find(key);
+    if (at == factored_.end()) at = factored_.emplace(key, sum_of_nodes(space_, nodes_[i], nodes_[j])).first;
+    return at->second;
+  }
+
+ private:
+  std::pair<size_t, unsigned> label(size_t i) const { return {nodes_[i].variable, nodes_[i].multiple}; }
+
+  const Space& space_;
+  std::vector<Node> nodes_;
+  std::map<std::pair<std::pair<size_t, unsigned>, std::pair<size_t, unsigned>>, FactoredPolynomial> factored_;
+};
+
+// prod (2 + gamma_i) = prod 2 (1 + w_i): sigma(z) = 2 prod (z^2 + gamma_i z + 1) / this.
+FactoredPolynomial normalisation(const Space& space) {
+  FactoredPolynomial f;
+  for (const Node& n : nodes(space)) {
+    f.multiply(sum_of_nodes(space, n, Node{0, 0}));
+    f.content *= Rational(2);
+  }
+  return f;
+}
+
+// sum_i c_i w^i of an odd or even Laurent polynomial in z given by its values a_i at z^i + z^{-i}: from powers of w to
+// coefficients of z. Returns a_m, m = 1, 3, .., of w Q(w^2) times 4^{deg Q} * 2.
+std::vector<Polynomial> cosine_coefficients(const std::vector<Polynomial>& q) {
+  // w^{2j+1} = 2^{-2j} sum_i C(2j+1, j-i) T_{2i+1}(w), and T_m(w) = (z^m + z^-m)/2.
+  const size_t n = q.size();
+  std::vector<Polynomial> a(n);
+  for (size_t j = 0; j < n; ++j)
+    for (size_t i = 0; i <= j; ++i) {
+      const Rational c = Rational::binomial(Rational(static_cast<long>(2 * j + 1)), static_cast<unsigned>(j - i)) *
+                         Rational(4).pow(static_cast<long>(n - 1 - j));
+      a[i] += integer_polynomial(c) * q[j];
+    }
+  return a;
+}
+
+Laurent symmetric_interpolatory(const std::vector<RationalFunction>& odd) {
+  const size_t l = odd.size();
+  std::vector<RationalFunction> c(4 * l - 1);
+  c[2 * l - 1] = 1;
+  for (size_t i = 0; i < l; ++i) c[2 * l - 1 - (2 * i + 1)] = c[2 * l - 1 + (2 * i + 1)] = odd[i];
+  return {-(2 * static_cast<long>(l) - 1), std::move(c)};
+}
+
+}  // namespace
+
+Laurent interpolating_symbol(const Space& space) {
+  if (auto a = interpolating_symbol_harmonic(space)) return *std::move(a);
+  return interpolating_symbol_by_divided_differences(space);
+}
+
+Laurent interpolating_symbol_by_divided_differences(const Space& space) {
+  const size_t l = half_dimension(space);
+  const std::vector<Node> node = nodes(space);
+  const std::vector<Polynomial> w = cosh_nodes(space);
+  // Divided differences of u^{-1/2} at w_i^2, .., w_j^2 are N_{ij} / (prod w prod_{a<b} (w_a + w_b)), all over i..j:
+  //   equal nodes (n+1 of them): N = C(-1/2, n) 2^{n(n+1)/2} w^{n(n-1)/2};
+  //   else N_{ij} (w_j - w_i) = N_{i+1,j} w_i prod_{i<b<j} (w_i + w_b) - N_{i,j-1} w_j prod_{i<a<j} (w_a + w_j).
+  // The first is a fraction with denominator 2^n n! / ..: scale it out by keeping N as a polynomial over an integer.
+  std::vector<RationalFunction> row(l), next;  // row[i] = N_{i,i+n}
+  std::vector<RationalFunction> newton(l);     // N_{0,n}
+  for (size_t i = 0; i < l; ++i) row[i] = 1;
+  newton[0] = 1;
+  // left[i] = prod_{i<b<j} (w_i + w_b), right[i] = prod_{i<a<j} (w_a + w_j) for j = i + n, grown with n.
+  std::vector<Polynomial> left(l, Polynomial(1)), right(l, Polynomial(1));
+  for (size_t n = 1; n < l; ++n) {
+    next.assign(l - n, 0);
+    for (size_t i = 0; i + n < l; ++i) {
+      const size_t j = i + n;
+      if (n >= 2) left[i] *= w[i] + w[j - 1];
+      right[i] = 1;
+      for (size_t a = i + 1; a < j; ++a) right[i] *= w[a] + w[j];
+      if (node[i] == node[j]) {
+        const long d = static_cast<long>(n);
+        const Rational c = Rational::binomial(Rational(-1, 2), static_cast<unsigned>(n)) * Rational(2).pow(d * (d + 1) / 2);
+        next[i] = RationalFunction(c) * RationalFunction(w[i].pow(static_cast<unsigned>(d * (d - 1) / 2)));
+        continue;
+      }
+      const Rational scale = row[i + 1].denominator_content() * row[i].denominator_content() /
+                             gcd(row[i + 1].denominator_content(), row[i].denominator_content());
+      const Polynomial top =
+          row[i + 1].numerator() * integer_polynomial(scale / row[i + 1].denominator_content()) * w[i] * left[i] -
+          row[i].numerator() * integer_polynomial(scale / row[i].denominator_content()) * w[j] * right[i];
+      next[i] = RationalFunction::over_factors(Polynomial::exact_quotient(top, w[j] - w[i]), scale, {});
+    }
+    row = next;
+    newton[n] = row[0];
+  }
+  // Q(u) = sum_n newton[n]/D_n prod_{i<n} (u - w_i^2), D_n = D_{n-1} w_n prod_{i<n} (w_i + w_n): Horner over D_{l-1}.
+  Sums sums(space);
+  FactoredPolynomial denominator;
+  std::vector<Polynomial> ratio(l);
+  for (size_t n = 0; n < l; ++n) {
+    FactoredPolynomial r = sums.factored(n, n);  // 2 w_n
+    r.content /= Rational(2);
+    for (size_t i = 0; i < n; ++i) r.multiply(sums.factored(i, n));
+    ratio[n] = w[n];
+    for (size_t i = 0; i < n; ++i) ratio[n] *= w[i] + w[n];
+    denominator.multiply(r);
+  }
+  Rational content = 1;
+  for (const auto& c : newton) content = content * c.denominator_content() / gcd(content, c.denominator_content());
+  std::vector<Polynomial> q(l);
+  Polynomial tail = 1;  // D_{l-1} / D_n
+  size_t length = 0;
+  for (size_t n = l; n-- > 0;) {
+    if (length > 0) {  // q *= u - w_n^2
+      const Polynomial square = w[n] * w[n];
+      for (size_t i = length; i > 0; --i) q[i] = (i < length ? q[i] : Polynomial(0)) * Polynomial(-1) * square + q[i - 1];
+      q[0] = Polynomial(0) - q[0] * square;
+    }
+    ++length;
+    q[0] += newton[n].numerator() * integer_polynomial(content / newton[n].denominator_content()) * tail;
+    tail *= ratio[n];
+  }
+  const Rational scale = Rational(2) * Rational(4).pow(static_cast<long>(l) - 1) * content * denominator.content;
+  std::vector<RationalFunction> odd;
+  for (auto& a : cosine_coefficients(q)) {
+    // scale may be a fraction: multiply both sides by its denominator.
+    odd.push_back(RationalFunction::over_factors(a * integer_polynomial(Rational(scale.denominator())),
+                                                 Rational(scale.numerator()), denominator.factors));
+  }
+  return symmetric_interpolatory(odd);
+}
+
+std::optional<Laurent> interpolating_symbol_harmonic(const Space& space) {
+  if (space.polynomial_order() != 2 || space.variables().size() != 1) return std::nullopt;
+  for (size_t i = 0; i < space.exponentials().size(); ++i)
+    if (space.exponentials()[i].multiple != i + 1 || space.exponentials()[i].order != 1) return std::nullopt;
+  const unsigned l = static_cast<unsigned>(half_dimension(space));
+  const std::string& name = space.variables()[0].name;
+  // Per factor (1 - T_i)/(T_m - T_i) = -(E^i - 1)^2 E^{m-i} / ((E^{m+i} - 1)(E^{m-i} - 1)); E^n - 1 = prod_{d|n} Phi_d, and
+  // Phi_d(E) E^{-phi(d)/2} = (content of the minimal polynomial of 2 cos at 2v) * cosine_minimal(d); (E+1)^2/E = 2 (v+1).
+  std::vector<std::vector<unsigned>> divisors(4 * l + 1);
+  for (unsigned d = 1; d <= 4 * l; ++d)
+    for (unsigned n = d; n <= 4 * l; n += d) divisors[n].push_back(d);
+  std::vector<Polynomial> minimal(4 * l + 1);
+  std::vector<Rational> lead(4 * l + 1);
+  for (unsigned d = 2; d <= 4 * l; ++d) {
+    minimal[d] = Polynomial::cosine_minimal(name, d);
+    // 2^phi(d)/2 is the leading coefficient of Phi_d in v before the content is taken out.
+    Rational leading;
+    minimal[d].for_each_term([&](const Rational& c, std::span<const unsigned long> e) {
+      if (static_cast<long>(e[0]) == minimal[d].total_degree()) leading = c;
+    });
+    lead[d] = Rational(2).pow(minimal[d].total_degree()) / leading;
+  }
+  std::vector<RationalFunction> odd(l);
+  std::vector<long> exponent(4 * l + 1);
+  for (unsigned m = 1; m < 2 * l; m += 2) {
+    std::fill(exponent.begin(), exponent.end(), 0);
+    bool negative = false;
+    for (unsigned i = 1; i < 2 * l; i += 2) {
+      if (i == m) continue;
+      if (i < m) negative = !negative;
+      for (const unsigned d : divisors[i]) exponent[d] += 2;
+      for (const unsigned d : divisors[m + i]) --exponent[d];
+      for (const unsigned d : divisors[m > i ? m - i : i - m]) --exponent[d];
+    }
+    exponent[2] /= 2;
+    Rational content(negative ? -1 : 1, 2);
+    Polynomial top = 1;
+    Factors bottom;
+    for (unsigned d = 2; d <= 4 * l; ++d) {
+      if (exponent[d] == 0) continue;
+      content *= lead[d].pow(exponent[d]);
+      if (exponent[d] > 0)
+        top *= minimal[d].pow(static_cast<unsigned>(exponent[d]));
+      else
+        bottom.emplace_back(minimal[d], static_cast<unsigned>(-exponent[d]));
+    }
+    odd[(m - 1) / 2] = RationalFunction::over_factors(integer_polynomial(Rational(content.numerator())) * top,
+                                                      Rational(content.denominator()), std::move(bottom));
+  }
+  return symmetric_interpolatory(odd);
+}
+
+HessenbergSystem hessenberg_system(const Space& space) {
+  const size_t l = half_dimension(space);
+  HessenbergSystem h;
+  std::vector<Polynomial> w = cosh_nodes(space);
+  for (const auto& x : w) h.nodes.push_back(Polynomial(2) * x);
+  const auto& g = h.nodes;
+  // P(x) = prod (x + gamma_i), S = 2 P / prod (2 + gamma_i).
+  std::vector<Polynomial> p{Polynomial(1)};
+  for (size_t i = 0; i < l; ++i) {
+    p.push_back(1);
+    for (size_t j = p.size() - 2; j > 0; --j) p[j] = p[j - 1] + p[j] * g[i];
+    p[0] = p[0] * g[i];
+  }
+  // difference[m][r] = [gamma_m..gamma_r] P by repeated synthetic division: no quotient of differences, so equal nodes are
+  // no special case.
+  std::vector<std::vector<Polynomial>> difference(l, std::vector<Polynomial>(l));
+  for (size_t m = 0; m < l; ++m) {
+    std::vector<Polynomial> q = p;
+    for (size_t r = m; r < l; ++r) {
+      for (size_t j = q.size() - 1; j-- > 0;) q[j] += q[j + 1] * g[r];
+      difference[m][r] = q[0];
+      q.erase(q.begin());
+    }
+  }
+  const FactoredPolynomial norm = normalisation(space);
+  const auto scaled = [&](const Polynomial& d) {
+    return RationalFunction::over_factors(Polynomial(2) * d, norm.content, norm.factors);
+  };
+  h.matrix.assign(l, std::vector<RationalFunction>(l));
+  for (size_t r = 1; r < l; ++r)
+    for (size_t m = 0; m <= r; ++m) h.matrix[r - 1][m] = scaled(difference[m][r]);
+  h.matrix[l - 1][0] = 1;
+  // Forward substitution with known denominators: w_m = (prod (2 + gamma_i)) n_m / D_m, D_m = prod over pairs i <= j with
+  // i <= m of (gamma_i + gamma_j); n_m polynomials. S(gamma_0) w_0 = 2 gives n_0 = 1 over D_0 = prod_j (gamma_0 + gamma_j).
+  std::vector<std::vector<Polynomial>> sum(l, std::vector<Polynomial>(l));
+  for (size_t i = 0; i < l; ++i)
+    for (size_t j = 0; j < l; ++j) sum[i][j] = g[i] + g[j];
+  std::vector<Polynomial> tail(l, Polynomial(1));  // prod_{j>=i} (gamma_i + gamma_j)
+  for (size_t i = 0; i < l; ++i)
+    for (size_t j = i; j < l; ++j) tail[i] *= sum[i][j];
+  std::vector<Polynomial> n(l);
+  n[0] = 1;
+  for (size_t r = 1; r < l; ++r) {
+    Polynomial s;
+    Polynomial between = 1;  // prod_{m<i<r} tail[i]
+    for (size_t m = r; m-- > 0;) {
+      s += difference[m][r] * n[m] * between;
+      between *= tail[m];
+    }
+    Polynomial d = 1;
+    for (size_t j = 0; j < r; ++j) d *= sum[j][r];
+    n[r] = Polynomial(0) - Polynomial::exact_quotient(s, d);
+  }
+  Sums sums(space);
+  FactoredPolynomial denominator;
+  const Polynomial scale = norm.expanded();
+  h.solution.resize(l);
+  for (size_t m = 0; m < l; ++m) {
+    for (size_t j = m; j < l; ++j) {
+      denominator.multiply(sums.factored(m, j));
+      denominator.content *= Rational(2);
+    }
+    h.solution[m] = RationalFunction::over_factors(n[m] * scale, denominator.content, denominator.factors);
+  }
+  h.rhs.assign(l, 0);
+  h.rhs[l - 1] = h.solution[0];
+  h.determinant = l % 2 == 1 ? 1 : -1;
+  for (size_t r = 1; r < l; ++r) {
+    FactoredPolynomial f;  // S(gamma_r) = 2 prod_j (gamma_r + gamma_j) / norm
+    for (size_t j = 0; j < l; ++j) {
+      f.multiply(sums.factored(r, j));
+      f.content *= Rational(2);
+    }
+    h.determinant *= RationalFunction::over_factors(f.expanded() * Polynomial(2), norm.content, norm.factors);
+  }
+  // omega by Horner in the Newton basis over the last denominator; the products with scale are cancelled at the end.
+  std::vector<Polynomial> omega{Polynomial(0)};
+  Polynomial rest = 1;  // D_{l-1}/D_m
+  for (size_t m = l; m-- > 0;) {
+    if (m + 1 < l) {  // omega <- omega * (z - gamma_m + 1/z), kept as coefficients of z^{-d}..z^{d}
+      std::vector<Polynomial> next(omega.size() + 2);
+      for (size_t i = 0; i < omega.size(); ++i) {
+        next[i] += omega[i];
+        next[i + 1] -= g[m] * omega[i];
+        next[i + 2] += omega[i];
+      }
+      omega = std::move(next);
+    }
+    omega[omega.size() / 2] += n[m] * rest;
+    rest *= tail[m];
+  }
+  // omega has symmetric coefficients: reduce one half only.
+  const size_t half = omega.size() / 2;
+  std::vector<RationalFunction> c(omega.size());
+  for (size_t i = 0; i <= half; ++i)
+    c[i] = c[omega.size() - 1 - i] =
+        RationalFunction::over_factors(omega[i] * scale, denominator.content, denominator.factors);
+  h.omega = Laurent(-static_cast<long>(half), std::move(c));
+  return h;
+}
+
+FoldedSystem folded_system(const Space& space) {
+  const long l = static_cast<long>(half_dimension(space));
+  const Laurent sigma = bspline_symbol(space).shifted(l);  // papers' indices 0..2l
+  FoldedSystem f;
+  f.matrix.assign(static_cast<size_t>(l), std::vector<RationalFunction>(static_cast<size_t>(l)));
+  f.rhs.assign(static_cast<size_t>(l), 0);
+  f.rhs.back() = 1;
+  for (long j = 1; j <= l; ++j)
+    for (long i = 0; i < l; ++i) {
+      auto& entry = f.matrix[static_cast<size_t>(j - 1)][static_cast<size_t>(i)];
+      if (j == l && space.polynomial_order() > 0)
+        entry = i < l - 1 ? 2 : 1;
+      else if (i < l - 1)
+        entry = sigma.coefficient(2 * j - 1 - i) + sigma.coefficient(2 * j + 1 - 2 * l + i);
+      else
+        entry = sigma.coefficient(2 * j - l);
+    }
+  f.hessenberg = true;
+  for (size_t r = 0; r < f.matrix.size(); ++r)
+    for (size_t c = r + 2; c < f.matrix.size(); ++c) f.hessenberg = f.hessenberg && f.matrix[r][c].is_zero();
+  return f;
+}
+
+namespace {
+
+// det by fraction-free elimination (Bareiss) of a matrix of polynomials, rows reduced in place; also the solution of
+// matrix * x = rhs when rhs is the last column.
+Polynomial bareiss(std::vector<std::vector<Polynomial>>& a) {
+  const size_t n = a.size();
+  Polynomial previous = 1;
+  bool negative = false;
+  for (size_t k = 0; k < n; ++k) {
+    size_t pivot = k;
+    while (pivot < n && a[pivot][k].is_zero()) ++pivot;
+    if (pivot == n) return 0;
+    if (pivot != k) {
+      std::swap(a[pivot], a[k]);
+      negative = !negative;
+    }
+    for (size_t i = k + 1; i < n; ++i)
+      for (size_t j = k + 1; j < a[i].size(); ++j)
+        a[i][j] = Polynomial::exact_quotient(a[i][j] * a[k][k] - a[i][k] * a[k][j], previous);
+    previous = a[k][k];
+  }
+  return negative ? -previous : previous;
+}
+
+}  // namespace
+
+RationalFunction folded_determinant(const Space& space, const FoldedSystem& system) {
+  const size_t l = system.matrix.size();
+  Sums sums(space);
+  FactoredPolynomial zeros;
+  for (size_t i = 0; i < l; ++i)
+    for (size_t j = i; j < l; ++j) zeros.multiply(sums.factored(i, j));
+  const FactoredPolynomial norm = normalisation(space);
+  // Rows 1..l-1 carry one 1/norm each, the last one too unless it is (2,..,2,1) = the sum of all rows, whose entries are
+  // free of it; then one factor S(2) = 2 is the constant's.
+  Polynomial one_norm = 1;
+  for (const auto& [f, e] : norm.factors) one_norm *= f.pow(e);
+  RationalFunction shape = RationalFunction(zeros.expanded());
+  const RationalFunction unit = RationalFunction::over_factors(1, 1, norm.factors);
+  for (size_t r = 0; r < l; ++r) shape *= unit;
+  // The constant, at rational level variables.
+  std::vector<std::pair<std::string, Rational>> at;
+  for (const auto& v : space.variables()) at.emplace_back(v.name, Rational(static_cast<long>(at.size()) + 2));
+  std::vector<std::vector<Rational>> a(l, std::vector<Rational>(l));
+  for (size_t i = 0; i < l; ++i)
+    for (size_t j = 0; j < l; ++j) a[i][j] = *system.matrix[i][j].evaluate(at);
+  Rational det = 1;
+  for (size_t k = 0; k < l; ++k) {
+    size_t pivot = k;
+    while (pivot < l && a[pivot][k].is_zero()) ++pivot;
+    if (pivot == l) throw std::logic_error("folded_determinant: singular at v = 2");
+    if (pivot != k) {
+      std::swap(a[pivot], a[k]);
+      det = -det;
+    }
+    det *= a[k][k];
+    for (size_t i = k + 1; i < l; ++i) {
+      const Rational factor = a[i][k] / a[k][k];
+      for (size_t j = k; j < l; ++j) a[i][j] -= factor * a[k][j];
+    }
+  }
+  return RationalFunction(det / *shape.evaluate(at)) * shape;
+}
+
+Laurent omega_from_folded(const FoldedSystem& system) {
+  const size_t l = system.matrix.size();
+  std::vector<std::vector<Polynomial>> a(l);
+  for (size_t i = 0; i < l; ++i) {
+    std::vector<RationalFunction> row = system.matrix[i];
+    row.push_back(system.rhs[i]);
+    const CommonDenominator d = common_denominator(row);
+    for (const auto& x : row) a[i].push_back(numerator_over(x, d));
+  }
+  if (bareiss(a).is_zero()) bad_input("the linear system for omega is singular");
+  std::vector<RationalFunction> x(l);
+  for (size_t i = l; i-- > 0;) {
+    RationalFunction s = a[i][l];
+    for (size_t j = i + 1; j < l; ++j) s -= RationalFunction(a[i][j]) * x[j];
+    x[i] = s / RationalFunction(a[i][i]);
+  }
+  std::vector<RationalFunction> c(2 * l - 1);
+  for (size_t i = 0; i < l; ++i) c[i] = c[2 * l - 2 - i] = x[i];
+  return {-(static_cast<long>(l) - 1), std::move(c)};
+}
+
+std::string cosine_text(const Rational& angle) {
+  if (angle == Rational(1, 2)) return "0";
+  if (angle == Rational(1, 3)) return "1/2";
+  if (angle == Rational(2, 3)) return "-1/2";
+  const Rational p(angle.numerator());
+  return "cos(" + (p == Rational(1) ? "" : p.to_string() + "*") + "pi/" + Rational(angle.denominator()).to_string() + ")";
+}
+
+std::string SingularSet::Value::exact() const { return cosine_text(angle); }
+
+SingularSet singular_set(const Space& space) {
+  SingularSet s;
+  const std::vector<Node> node = nodes(space);
+  const bool even = space.dimension() % 2 == 0;
+  // Sums whose vanishing stops a step: w_i + w_j for the interpolating scheme; 1 + w_i, the normalisation, for sigma alone.
+  std::vector<std::pair<Node, Node>> sums;
+  for (size_t i = 0; i < node.size(); ++i) {
+    if (even)
+      for (size_t j = i; j < node.size(); ++j) sums.emplace_back(node[i], node[j]);
+    else
+      sums.emplace_back(node[i], Node{0, 0});
+  }
+  if (space.variables().size() == 1) {
+    // v^{k+1} = cos(phi), phi < pi/2^{k+1}: cos(a phi) + cos(b phi) = 0 iff (a + b) phi or (a - b) phi is an odd multiple of
+    // pi. Then v^0 = cos(2^{k+1} phi).
+    std::set<std::pair<Rational, unsigned>> found;
+    for (const auto& [x, y] : sums) {
+      const unsigned a = std::max(x.multiple, y.multiple);
+      const unsigned b = std::min(x.multiple, y.multiple);
+      for (const unsigned n : {a + b, a - b}) {
+        if (n == 0) continue;
+        for (unsigned k = 0; (2UL << k) < n; ++k)
+          for (unsigned long odd = 1; (2UL << k) * odd < n; odd += 2)
+            found.emplace(Rational(static_cast<long>((2UL << k) * odd), static_cast<long>(n)), k);
+      }
+    }
+    for (const auto& [angle, level] : found) s.values.push_back({angle, level});
+    std::sort(s.values.begin(), s.values.end(), [](const auto& a, const auto& b) {
+      return a.angle != b.angle ? b.angle < a.angle : a.level < b.level;
+    });
+    return s;
+  }
+  std::vector<Polynomial> factors;
+  for (const auto& [x, y] : sums)
+    for (const auto& [f, e] : sum_of_nodes(space, x, y).factors)
+      if (!f.all_coefficients_nonnegative() && std::find(factors.begin(), factors.end(), f) == factors.end()) factors.push_back(f);
+  // A factor with a non-negative expansion cannot vanish for positive level variables; every other one changes sign there:
+  // w_i + w_j is positive at (1, .., 1) and takes negative values as soon as a Chebyshev polynomial of degree >= 2 occurs.
+  std::sort(factors.begin(), factors.end(), [](const auto& a, const auto& b) { return a.to_string() < b.to_string(); });
+  s.conditions = std::move(factors);
+  return s;
+}
+
+std::vector<Polynomial> extension_weights(const Space& space, int arity) {
+  // prod (y^2 - 2 cosh(theta/m^k) y + 1), cosh(n theta/m^k) = T_{m n}(v); an odd order leaves one factor (y - 1).
+  std::vector<Polynomial> f{Polynomial(1)};
+  const auto multiply = [&](const std::vector<Polynomial>& g) {
+    std::vector<Polynomial> r(f.size() + g.size() - 1);
+    for (size_t i = 0; i < f.size(); ++i)
+      for (size_t j = 0; j < g.size(); ++j) r[i + j] += f[i] * g[j];
+    f = std::move(r);
+  };
+  for (const Node& n : nodes(space)) {
+    const Polynomial t = n.multiple == 0 ? Polynomial(1)
+                                         : Polynomial::chebyshev(space.variables()[n.variable].name,
+                                                                 static_cast<unsigned>(arity) * n.multiple);
+    multiply({Polynomial(1), Polynomial(-2) * t, Polynomial(1)});
+  }
+  if (space.polynomial_order() % 2 == 1) multiply({Polynomial(-1), Polynomial(1)});
+  // sum_j f_j p_{j-1} = 0 with f_0 = +-1.
+  std::vector<Polynomial> e;
+  const bool flip = f[0] == Polynomial(1);
+  for (size_t j = 1; j < f.size(); ++j) e.push_back(flip ? -f[j] : f[j]);
+  return e;
+}
+
+}  // namespace twoscale

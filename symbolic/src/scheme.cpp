@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "twoscale/symbolic/scheme.hpp"
+
+#include <algorithm>
+
+#include "twoscale/symbolic/error.hpp"
+
+namespace twoscale {
+
+Scheme Scheme::from_symbol(std::string id, const Laurent& symbol, int arity, std::vector<Parameter> parameters) {
+  if (symbol.is_zero()) bad_input("the mask is zero", id);
+  std::optional<Rational> centre = symbol.centre_of_symmetry();  // then a'(1)/a(1), whatever the coefficients
+  if (centre) {
+    if (symbol.at_one().is_zero()) bad_input("the mask has sum 0, no parametrisation exists", id);
+  } else {
+    std::vector<RationalFunction> weighted;
+    for (long i = symbol.lowest(); i <= symbol.highest(); ++i) weighted.push_back(RationalFunction(i) * symbol.coefficient(i));
+    const RationalFunction mass = symbol.at_one();
+    if (mass.is_zero()) bad_input("the mask has sum 0, no parametrisation exists", id);
+    centre = (Laurent(0, std::move(weighted)).at_one() / mass).constant();
+  }
+  if (!centre) bad_input("the centre of the mask depends on a parameter", id);
+  Scheme s;
+  s.id = std::move(id);
+  s.arity = arity;
+  s.parameters = std::move(parameters);
+  s.shift = *centre / Rational(static_cast<long>(arity) - 1);
+  for (long r = 0; r < arity; ++r) {
+    const Laurent sub = symbol.subsymbol(arity, r);  // sum_j a_{mj+r} z^j, offset h = -j
+    Stencil stencil;
+    stencil.lowest = sub.is_zero() ? 0 : -sub.highest();
+    for (size_t i = sub.coefficients().size(); i-- > 0;) stencil.blocks.push_back({sub.coefficients()[i]});
+    s.phases.push_back(std::move(stencil));
+  }
+  return s;
+}
+
+Laurent symbol(const Scheme& scheme) {
+  if (scheme.block != 1 || !is_uniform(scheme)) bad_input("this scheme has no scalar symbol", scheme.id);
+  Laurent a;
+  for (long r = 0; r < scheme.arity; ++r) {
+    const Stencil& s = scheme.phases[static_cast<size_t>(r)];
+    if (s.blocks.empty()) continue;
+    std::vector<RationalFunction> c;
+    for (size_t i = s.blocks.size(); i-- > 0;) c.push_back(s.blocks[i][0]);
+    const long highest_offset = s.lowest + static_cast<long>(s.blocks.size()) - 1;
+    a = a + Laurent(-highest_offset, std::move(c)).dilated(scheme.arity).shifted(r);
+  }
+  return a;
+}
+
+namespace {
+
+bool has_scope(const Scheme& scheme, Parameter::Scope scope) {
+  return std::any_of(scheme.parameters.begin(), scheme.parameters.end(), [&](const auto& p) { return p.scope == scope; });
+}
+
+}  // namespace
+
+bool is_uniform(const Scheme& scheme) { return !has_scope(scheme, Parameter::Scope::local); }
+
+bool is_stationary(const Scheme& scheme) { return is_uniform(scheme) && !has_scope(scheme, Parameter::Scope::level); }
+
+bool is_interpolatory(const Scheme& scheme) {
+  const Laurent even = symbol(scheme).subsymbol(scheme.arity, 0);
+  return even == Laurent::monomial(0);
+}
+
+std::vector<LevelVariable> level_variables(const Scheme& scheme) {
+  std::vector<LevelVariable> v;
+  for (const auto& p : scheme.parameters)
+    if (p.scope == Parameter::Scope::level) v.push_back(*p.frequency);
+  return v;
+}
+
+std::optional<Laurent> limit_symbol(const Scheme& scheme) {
+  Laurent a = symbol(scheme);
+  for (const auto& v : level_variables(scheme)) {
+    for (const auto& c : a.coefficients())
+      for (const auto& [f, e] : c.denominator_factors())
+        if (f.substitute(v.name, 1).is_zero()) return std::nullopt;
+    a = a.substitute(v.name, 1);
+  }
+  return a;
+}
+
+std::vector<Parameter> level_parameters(const Space& space) {
+  std::vector<Parameter> list;
+  for (const auto& v : space.variables()) list.push_back({v.name, Parameter::Scope::level, v});
+  return list;
+}
+
+std::string recurrence(const std::string& variable, int arity) {
+  if (arity == 2) return variable + "^{k+1} = sqrt((1 + " + variable + "^k)/2)";
+  return variable + "^k = " + Polynomial::chebyshev(variable + "^{k+1}", static_cast<unsigned>(arity)).pretty();
+}
+
+}  // namespace twoscale
