@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room: the independent checker. One function a kind of claim.
+#pragma once
+
+#include "twoscale/check/certificate.hpp"
+#include "twoscale/check/identities.hpp"
+#include "twoscale/check/point.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twoscale::check {
+
+struct Context {
+  const Certificate& certificate;
+  Identities& identities;
+  Meter& meter;
+};
+
+/// What was established: `subject` completes the name of the claim, `evidence` says what was verified, `trusted` are
+/// keys.
+struct Finding {
+  std::string subject;
+  std::string evidence;
+  std::vector<std::string_view> trusted;
+};
+
+/// Each reads its fields up to (not including) "theorem", checks, and throws Malformed or Refused.
+Finding check_interpolatory(const Context& context, Fields& fields, bool proved);
+Finding check_symmetric(const Context& context, Fields& fields, bool proved);
+Finding check_sum_rules(const Context& context, Fields& fields, bool proved);
+Finding check_generates(const Context& context, Fields& fields, bool proved);
+Finding check_reproduces(const Context& context, Fields& fields, bool proved);
+Finding check_maximal(const Context& context, Fields& fields, bool proved);
+Finding check_well_defined(const Context& context, Fields& fields, bool proved);
+
+/// A witness against generation: at the point the sums of i^power a_i z^i over two residue classes have the two values,
+/// and these differ. Throws Malformed or Refused.
+void check_two_sums(const Context& context, Point& point, const std::vector<long>& frequency, long power,
+                    const std::vector<Value>& residues, const std::vector<Value>& values, const std::string& where);
+
+}  // namespace twoscale::check

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room: the independent checker. Sparse (Laurent) polynomials with integer coefficients in up to 8 variables.
+#pragma once
+
+#include "twoscale/check/meter.hpp"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace twoscale::check {
+
+/// Exponents of the variables, in their order; unused places are 0.
+using Monomial = std::array<int, limits::variables>;
+
+/// Terms by monomial, lexicographically descending (the canonical order); no zero coefficients. Exponents may be
+/// negative.
+using Polynomial = std::map<Monomial, Integer, std::greater<>>;
+
+/// Reads exactly the canonical spelling: `3*v_s^2*v_t-v_t+1`, monomials descending, no blanks, 1 and ^1 not written.
+Polynomial parse_polynomial(std::string_view text, std::span<const std::string> names, const std::string& where,
+                            Meter& meter);
+
+/// The canonical spelling.
+std::string text_of(const Polynomial& p, std::span<const std::string> names);
+
+/// target += amount * x^monomial.
+void add_term(Polynomial& target, const Monomial& monomial, const Integer& amount, Meter& meter);
+
+/// target += factor * x^shift * p.
+void add_scaled(Polynomial& target, const Polynomial& p, const Integer& factor, const Monomial& shift, Meter& meter);
+
+Polynomial multiply(const Polynomial& p, const Polynomial& q, Meter& meter);
+
+/// Replaces p by p/g and returns true if the polynomial g (not zero, exponents >= 0) divides p over Z; else leaves p.
+bool divide_out(Polynomial& p, const Polynomial& g, Meter& meter);
+
+/// Largest exponent of each variable (0 for the zero polynomial).
+Monomial degrees(const Polynomial& p);
+
+/// p with the listed variables set to 1.
+Polynomial at_one(const Polynomial& p, std::span<const std::size_t> variables, Meter& meter);
+
+/// Greatest common divisor of the coefficients.
+Integer content(const Polynomial& p, Meter& meter);
+
+}  // namespace twoscale::check

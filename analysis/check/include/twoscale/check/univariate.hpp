@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room: the independent checker. Dense polynomials in one variable: division, real zeros beyond a point.
+#pragma once
+
+#include "twoscale/check/meter.hpp"
+#include "twoscale/check/polynomial.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace twoscale::check {
+
+/// Coefficients from the constant term up; the last one is not zero; the zero polynomial is empty.
+using Dense = std::vector<Integer>;
+
+/// p as a polynomial in the variable with index 0, the only one that occurs.
+Dense dense(const Polynomial& p);
+
+/// p/g over Z if g (not zero) divides p.
+std::optional<Dense> quotient(const Dense& p, const Dense& g, Meter& meter);
+
+/// p divided by its positive content.
+Dense primitive(Dense p, Meter& meter);
+
+/// Number of sign changes in the coefficients of p(x + a/b), b > 0. By Descartes' rule p has at most so many zeros >
+/// a/b, so none if it is 0.
+int variations_beyond(const Dense& p, const Integer& a, const Integer& b, Meter& meter);
+
+/// Sturm's chain p, p', -rem(...), ... up to positive factors; p not zero, repeated zeros allowed.
+class SturmChain {
+ public:
+  SturmChain(const Dense& p, Meter& meter);
+  /// Number of distinct zeros of p in (a/b, infinity); b > 0; p(a/b) is not 0.
+  int zeros_beyond(const Integer& a, const Integer& b, Meter& meter) const;
+
+ private:
+  std::vector<Dense> chain_;
+};
+
+/// Sign of p(a/b), b > 0.
+int sign_at(const Dense& p, const Integer& a, const Integer& b, Meter& meter);
+
+/// Decides whether p (not zero) has a real zero in the open interval (cos(pi/m), infinity), m >= 2.
+bool has_zero_beyond_cos(const Dense& p, int m, Meter& meter);
+
+}  // namespace twoscale::check

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room: the independent checker. Reading of the head of a certificate and of spaces; spaces as text.
+#include "twoscale/check/certificate.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <tuple>
+
+namespace twoscale::check {
+namespace {
+
+constexpr std::size_t label_chars = 4096;
+
+std::string label(Fields& fields, std::string_view key) {
+  const std::string& text = fields.take_string(key);
+  if (text.size() > label_chars) throw Malformed(fields.path(key) + ": a label of more than 4096 characters");
+  return text;
+}
+
+bool is_name(const std::string& name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !name.empty() && name.size() <= 64 && letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+void read_variables(Fields& fields, Certificate& certificate) {
+  const std::vector<Value>& variables = fields.take_array("variables");
+  if (variables.size() > limits::variables) {
+    throw Malformed("variables: more than " + std::to_string(limits::variables));
+  }
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    Fields variable(variables[i], "variables[" + std::to_string(i) + "]");
+    const std::string& name = variable.take_string("name");
+    if (!is_name(name)) throw Malformed(variable.path("name") + ": a name [A-Za-z][A-Za-z0-9_]* is expected");
+    if (i > 0 && !(certificate.names.back() < name)) {
+      throw Malformed(variable.path("name") + ": names must be distinct and sorted");
+    }
+    const std::string& scope = variable.take_string("scope");
+    if (scope != "level" && scope != "constant") {
+      throw Malformed(variable.path("scope") + ": \"level\" or \"constant\" is expected");
+    }
+    label(variable, "meaning");
+    variable.done();
+    certificate.names.push_back(name);
+    (scope == "level" ? certificate.level : certificate.constants).push_back(i);
+  }
+}
+
+void read_mask(Fields& fields, Certificate& certificate, Meter& meter) {
+  Fields mask(fields.take("mask"), "mask");
+  certificate.mask.lowest = mask.take_integer("lowest", -limits::index, limits::index);
+  const std::vector<Value>& numerators = mask.take_array("numerators");
+  if (numerators.empty() || numerators.size() > limits::mask_length) {
+    throw Malformed("mask.numerators: from 1 to " + std::to_string(limits::mask_length) + " are expected");
+  }
+  for (std::size_t i = 0; i < numerators.size(); ++i) {
+    const std::string where = "mask.numerators[" + std::to_string(i) + "]";
+    certificate.mask.numerators.push_back(
+        parse_polynomial(as_string(numerators[i], where), certificate.names, where, meter));
+  }
+  if (certificate.mask.numerators.front().empty() || certificate.mask.numerators.back().empty()) {
+    throw Malformed("mask.numerators: the first and the last must not be 0");
+  }
+  certificate.mask.denominator =
+      parse_polynomial(mask.take_string("denominator"), certificate.names, "mask.denominator", meter);
+  if (certificate.mask.denominator.empty() || certificate.mask.denominator.begin()->second < 0) {
+    throw Malformed("mask.denominator: a polynomial with positive leading coefficient is expected");
+  }
+  mask.done();
+  const auto& n = certificate.mask.numerators;
+  certificate.symmetric = std::equal(n.begin(), n.end(), n.rbegin());
+}
+
+std::string exponent_text(const std::vector<long>& frequency, const Certificate& certificate) {
+  std::string sum;
+  int parts = 0;
+  for (std::size_t i = 0; i < frequency.size(); ++i) {
+    const long n = frequency[i];
+    if (n == 0) continue;
+    if (n < 0)
+      sum += "-";
+    else if (parts > 0)
+      sum += "+";
+    if (std::labs(n) != 1) sum += std::to_string(std::labs(n)) + "*";
+    sum += frequency_name(certificate, i);
+    ++parts;
+  }
+  if (parts == 0) return "";
+  return parts == 1 ? "exp(" + sum + "*x)" : "exp((" + sum + ")*x)";
+}
+
+std::string power_text(long power, const std::string& exponential) {
+  if (power == 0) return exponential.empty() ? "1" : exponential;
+  const std::string x = power == 1 ? "x" : "x^" + std::to_string(power);
+  return exponential.empty() ? x : x + "*" + exponential;
+}
+
+}  // namespace
+
+Certificate read_certificate(Fields& fields, Meter& meter) {
+  Certificate certificate;
+  if (fields.take_string("format") != "twoscale/certificate") {
+    throw Malformed("format: \"twoscale/certificate\" is expected");
+  }
+  fields.take_integer("version", 1, 1);
+  certificate.scheme = label(fields, "scheme");
+  certificate.arity = static_cast<int>(fields.take_integer("arity", 2, 64));
+  read_variables(fields, certificate);
+  certificate.shift = parse_small_fraction(fields.take_string("shift"), "shift", meter);
+  const long numerator = certificate.shift.numerator * (certificate.arity - 1);
+  const long divisor = std::gcd(numerator, certificate.shift.denominator);
+  certificate.e = {numerator / divisor, certificate.shift.denominator / divisor};
+  if (certificate.e.denominator > 1000) throw Malformed("shift: the denominator of (arity-1)*shift is beyond 1000");
+  read_mask(fields, certificate, meter);
+  return certificate;
+}
+
+std::vector<long> read_frequency(const Value& value, const Certificate& certificate, const std::string& where) {
+  const std::vector<Value>& items = as_array(value, where);
+  if (items.size() != certificate.level.size()) {
+    throw Malformed(where + ": " + std::to_string(certificate.level.size()) + " integers are expected");
+  }
+  std::vector<long> frequency;
+  for (const Value& item : items) frequency.push_back(as_integer(item, -limits::index, limits::index, where));
+  return frequency;
+}
+
+Space read_space(const Value& value, const Certificate& certificate, const std::string& where, bool may_be_empty) {
+  const std::vector<Value>& items = as_array(value, where);
+  if (items.empty() && !may_be_empty) throw Malformed(where + ": an empty space");
+  if (items.size() > limits::list_items) throw Malformed(where + ": more than 4096 frequencies");
+  Space space;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    Fields item(items[i], where + "[" + std::to_string(i) + "]");
+    Exponential part;
+    part.frequency = read_frequency(item.take("frequency"), certificate, item.path("frequency"));
+    part.order = item.take_integer("order", 1, limits::order);
+    item.done();
+    if (i > 0 && !(space.back().frequency < part.frequency)) {
+      throw Malformed(item.path("frequency") + ": frequencies must be distinct and ascending");
+    }
+    space.push_back(std::move(part));
+  }
+  return space;
+}
+
+long dimension(const Space& space) {
+  return std::accumulate(space.begin(), space.end(), 0L, [](long sum, const Exponential& p) { return sum + p.order; });
+}
+
+long order_in(const Space& space, const std::vector<long>& frequency) {
+  const auto found = std::find_if(space.begin(), space.end(), [&](const auto& p) { return p.frequency == frequency; });
+  return found == space.end() ? 0 : found->order;
+}
+
+std::string frequency_name(const Certificate& certificate, std::size_t level_index) {
+  const auto short_name = [&](std::size_t i) {
+    const std::string& name = certificate.names[certificate.level[i]];
+    if (name == "v") return std::string("t");
+    if (name.size() > 2 && name.compare(0, 2, "v_") == 0) return name.substr(2);
+    return "theta_" + name;
+  };
+  const std::string name = short_name(level_index);
+  for (std::size_t i = 0; i < certificate.level.size(); ++i) {
+    const bool clash = i != level_index && short_name(i) == name;
+    if (clash || name == "x" || name == "exp") return "theta_" + certificate.names[certificate.level[level_index]];
+  }
+  return name;
+}
+
+std::string text_of(const Space& space, const Certificate& certificate) {
+  std::vector<const Exponential*> parts;
+  for (const Exponential& part : space) parts.push_back(&part);
+  const auto key = [](const Exponential* part) {  // 1 first, then each frequency before its opposite
+    std::vector<long> size, sign;
+    long total = 0;
+    for (const long n : part->frequency) total += std::labs(n), size.push_back(-std::labs(n)), sign.push_back(-n);
+    return std::tuple(total, size, sign);
+  };
+  std::sort(parts.begin(), parts.end(), [&](const auto* a, const auto* b) { return key(a) < key(b); });
+  std::string text;
+  for (const Exponential* part : parts) {
+    const std::string exponential = exponent_text(part->frequency, certificate);
+    for (long power = 0; power < part->order; ++power) {
+      if (!text.empty()) text += ", ";
+      if (part->order > 8 && power == 2) {
+        text += "..., ";
+        power = part->order - 1;
+      }
+      text += power_text(power, exponential);
+    }
+  }
+  return "{" + text + "}";
+}
+
+}  // namespace twoscale::check

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room: the independent checker. From bytes to a report.
+#include "twoscale/check/check.hpp"
+
+#include "twoscale/check/claims.hpp"
+#include "twoscale/check/theorems.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <exception>
+
+namespace twoscale::check {
+namespace {
+
+struct Kind {
+  std::string_view name;
+  Finding (*check)(const Context&, Fields&, bool);
+};
+
+constexpr std::array<Kind, 7> kinds{{
+    {"interpolatory", check_interpolatory},
+    {"symmetric", check_symmetric},
+    {"sum-rules", check_sum_rules},
+    {"generates", check_generates},
+    {"reproduces", check_reproduces},
+    {"maximal", check_maximal},
+    {"well-defined", check_well_defined},
+}};
+
+/// The key a claim of this kind must name.
+std::string_view required_theorem(std::string_view claim, const Certificate& certificate) {
+  if (claim == "generates") return "generation-stepwise";
+  if (claim == "reproduces") return "reproduction-stepwise";
+  if (claim == "maximal") return "hurwitz-count";
+  if (claim != "well-defined") return "definition";
+  return certificate.names.empty() || certificate.single_level() ? "sturm" : "positive-coefficients";
+}
+
+static_assert(default_work == limits::work);
+
+constexpr std::string_view tail_empty = "\n \"digest\": \"\"\n}\n";
+
+/// Checks the spelling and the digest; returns the parsed document.
+Value read_document(std::string_view text, Meter& meter) {
+  if (text.size() > limits::file_bytes) throw Malformed("the file is larger than 64 MiB");
+  meter.spend(20 * text.size());
+  Value document = parse_json(text);
+  if (canonical_json(document) != text) throw Malformed("the JSON text is not in its canonical form");
+  return document;
+}
+
+void check_digest(std::string_view text, const std::string& claimed) {
+  // The text is canonical and the digest its last member, so it ends with the digest, a quote and "\n}\n".
+  const std::string_view end = "\"\n}\n";
+  if (text.size() < end.size() + claimed.size() || !text.ends_with(std::string(claimed) + std::string(end))) {
+    throw Malformed("digest: must be the last member");
+  }
+  std::string empty(text.substr(0, text.size() - end.size() - claimed.size()));
+  empty += end;
+  if (claimed != digest(empty)) throw Malformed("digest: does not belong to this text");
+}
+
+struct Trusted {
+  std::vector<std::string_view> keys;
+  void add(std::string_view key) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  }
+};
+
+std::string head_line(const Certificate& certificate) {
+  std::string text = "mask a_{" + std::to_string(certificate.mask.lowest) + ".." +
+                     std::to_string(certificate.mask.highest()) + "}, arity " + std::to_string(certificate.arity) +
+                     ", shift p = " + text_of(certificate.shift);
+  for (std::size_t j = 0; j < certificate.level.size(); ++j) {
+    text += ", " + certificate.names[certificate.level[j]] + " = cosh(" + frequency_name(certificate, j) + "/" +
+            std::to_string(certificate.arity) + "^(k+1)) at the step k -> k+1";
+  }
+  for (const std::size_t c : certificate.constants) text += ", " + certificate.names[c] + " constant";
+  return text;
+}
+
+void check_claim(const Value& value, std::size_t number, const Context& context, Report& report, Trusted& trusted) {
+  const std::string where = "claims[" + std::to_string(number) + "]";
+  Fields fields(value, where);
+  const std::string& name = fields.take_string("claim");
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == name; });
+  if (kind == kinds.end()) throw Malformed(fields.path("claim") + ": unknown claim \"" + name.substr(0, 40) + "\"");
+  const std::string& verdict = fields.take_string("verdict");
+  if (verdict != "proved" && verdict != "refuted") {
+    throw Malformed(fields.path("verdict") + ": \"proved\" or \"refuted\" is expected");
+  }
+  if (value.keys.back() != "theorem") throw Malformed(where + ".theorem: expected as the last member");
+  const std::string& key = as_string(value.items.back(), where + ".theorem");
+  if (key != required_theorem(name, context.certificate)) {
+    throw Malformed(where + ".theorem: \"" + std::string(required_theorem(name, context.certificate)) +
+                    "\" is expected");
+  }
+  try {
+    const Finding finding = kind->check(context, fields, verdict == "proved");
+    fields.take("theorem");
+    fields.done();
+    std::string line = (verdict == "proved" ? "proved   " : "refuted  ") + name + " " + finding.subject + ": " +
+                       finding.evidence + "; trusting";
+    for (const std::string_view used : finding.trusted) {
+      line += " [" + std::string(used) + "]";
+      trusted.add(used);
+    }
+    if (finding.trusted.front() != "definition") {
+      line += " (" + std::string(theorem(finding.trusted.front()).source) + ")";
+    }
+    report.lines.push_back(line);
+  } catch (const Refused& refusal) {
+    const std::string message =
+        "claim " + std::to_string(number + 1) + " (" + name + ", " + verdict + "): " + refusal.what();
+    report.lines.push_back("REFUSED  " + message);
+    if (report.status == Report::valid) report.message = message;
+    report.status = Report::invalid;
+  }
+}
+
+void check_document(std::string_view text, Report& report, Meter& meter) {
+  const Value document = read_document(text, meter);
+  Fields fields(document, "");
+  const Certificate certificate = read_certificate(fields, meter);
+  const std::vector<Value>& claims = fields.take_array("claims");
+  check_digest(text, fields.take_string("digest"));
+  fields.done();
+  if (claims.empty()) throw Malformed("claims: at least one is expected");
+  if (claims.size() > limits::list_items) throw Malformed("claims: more than 4096");
+
+  report.status = Report::valid;
+  report.lines.push_back("the label \"" + certificate.scheme +
+                         "\" is not checked: the claims are about the mask in this file, whatever its name");
+  report.lines.push_back(head_line(certificate));
+  Identities identities(certificate, meter);
+  const Context context{certificate, identities, meter};
+  Trusted trusted;
+  for (std::size_t i = 0; i < claims.size(); ++i) check_claim(claims[i], i, context, report, trusted);
+  for (const std::string_view key : trusted.keys) {
+    const Theorem& t = theorem(key);
+    report.lines.push_back("[" + std::string(t.key) + "] " + std::string(t.statement) + " (" + std::string(t.source) +
+                           ")");
+  }
+  report.lines.push_back(report.status == Report::valid ? "valid: " + std::to_string(claims.size()) + " claim(s)"
+                                                        : "invalid: " + report.message);
+}
+
+}  // namespace
+
+Report check_text(std::string_view text, std::uint64_t work) {
+  Report report;
+  Meter meter(work);
+  const auto malformed = [&](const std::string& message) {
+    report.status = Report::malformed;
+    report.lines.clear();
+    report.message = message;
+  };
+  try {
+    check_document(text, report, meter);
+  } catch (const Malformed& error) {
+    malformed(error.what());
+  } catch (const std::exception& error) {  // memory, or an arithmetic limit of the integers
+    malformed(std::string("the checker ran out of resources: ") + error.what());
+  }
+  report.work = work - meter.left();
+  return report;
+}
+
+std::string digest(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3U;
+  }
+  std::string result = "fnv1a64:";
+  for (int shift = 60; shift >= 0; shift -= 4) result += "0123456789abcdef"[(hash >> shift) & 15U];
+  return result;
+}
+
+std::string sealed(std::string_view canonical_text_with_empty_digest) {
+  std::string result(canonical_text_with_empty_digest);
+  if (result.ends_with(tail_empty)) result.insert(result.size() - 4, digest(result));
+  return result;
+}
+
+}  // namespace twoscale::check

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room: the independent checker. Zeros on the domain of the level variables, and the exceptions that list them.
+#include "twoscale/check/exceptions.hpp"
+
+#include "twoscale/check/cyclotomic.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace twoscale::check {
+namespace {
+
+constexpr long far = 1'000'000'000'000'000;
+
+/// +1 or -1 if no constant occurs and all coefficients have that sign (then there is no zero on the domain), else 0.
+int common_sign(const Polynomial& p, const std::vector<std::size_t>& constants) {
+  if (p.empty()) return 0;
+  const int sign = p.begin()->second.sign();
+  for (const auto& [monomial, coefficient] : p) {
+    if (coefficient.sign() != sign) return 0;
+    for (const std::size_t c : constants) {
+      if (monomial[c] != 0) return 0;
+    }
+  }
+  return sign;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> root_order(const Angle& angle, int arity) {
+  // exp(2 pi i p/n'), n' = 2 q m^{level+1}; gcd(p, n') <= 10^6, so n > 10^6 once n' > 10^15.
+  long n = 2 * angle.angle.denominator;
+  for (long k = 0; k <= angle.level; ++k) {
+    n *= arity;
+    if (n > far) return std::nullopt;
+  }
+  n /= std::gcd(n, angle.angle.numerator);
+  if (n > limits::index) return std::nullopt;
+  return static_cast<std::uint64_t>(n);
+}
+
+Angle read_angle(Fields& fields, Meter& meter) {
+  Angle angle;
+  angle.level = fields.take_integer("level", 0, limits::index);
+  angle.angle = parse_small_fraction(fields.take_string("angle"), fields.path("angle"), meter);
+  if (angle.angle.numerator <= 0 || angle.angle.numerator >= angle.angle.denominator) {
+    throw Malformed(fields.path("angle") + ": a fraction between 0 and 1 is expected");
+  }
+  return angle;
+}
+
+std::string text_of(const Angle& angle) {
+  const SmallFraction& a = angle.angle;
+  std::string text = "v^0 = ";
+  if (a.denominator == 2)
+    text += "0";
+  else if (a.denominator == 3)
+    text += a.numerator == 1 ? "1/2" : "-1/2";
+  else
+    text += "cos(" + (a.numerator == 1 ? "" : std::to_string(a.numerator) + "*") + "pi/" +
+            std::to_string(a.denominator) + ")";
+  return text + " at level " + std::to_string(angle.level);
+}
+
+Exceptions::Exceptions(const Value& value, const Certificate& certificate, const std::string& where, Meter& meter)
+    : certificate_(certificate), meter_(meter) {
+  const std::vector<Value>& items = as_array(value, where);
+  if (items.size() > limits::list_items) throw Malformed(where + ": more than 4096 exceptions");
+  std::string before;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    Fields item(items[i], where + "[" + std::to_string(i) + "]");
+    if (certificate.single_level()) {
+      const Angle next = read_angle(item, meter);
+      if (i > 0) {  // angle descending, then level ascending
+        const Angle& last = angles_.back();
+        const long order =
+            next.angle.numerator * last.angle.denominator - last.angle.numerator * next.angle.denominator;
+        if (order > 0 || (order == 0 && next.level <= last.level)) {
+          throw Malformed(item.path("angle") + ": exceptions must be distinct and sorted");
+        }
+      }
+      const auto order = root_order(next, certificate.arity);
+      if (!order) throw Refused(item.path("angle") + ": not a zero of a polynomial of the degrees that occur");
+      angles_.push_back(next);
+      orders_[*order] = false;
+    } else {
+      const std::string& text = item.take_string("condition");
+      const std::string path = item.path("condition");
+      Polynomial condition = parse_polynomial(text, certificate.names, path, meter);
+      if (condition.empty() || condition.begin()->second < 0 || condition.begin()->first == Monomial{} ||
+          content(condition, meter) != 1) {
+        throw Malformed(path + ": a primitive polynomial with positive leading coefficient is expected");
+      }
+      if (i > 0 && !(before < text)) throw Malformed(path + ": conditions must be distinct and sorted");
+      if (common_sign(condition, certificate.constants) != 0) throw Refused(path + ": cannot vanish on the domain");
+      before = text;
+      conditions_.push_back(std::move(condition));
+      condition_used_.push_back(false);
+    }
+    item.done();
+  }
+}
+
+void Exceptions::require_no_other_zero(const Polynomial& p, const std::string& what) {
+  if (p.empty()) throw Refused(what + " is identically zero");
+  if (certificate_.single_level())
+    single(dense(p), what);
+  else
+    several(p, what);
+}
+
+void Exceptions::single(Dense p, const std::string& what) {
+  const long m = certificate_.arity;
+  for (auto& [n, used] : orders_) {
+    if (divide_out_cosine(p, n, meter_) == 0) continue;
+    used = true;
+    // All zeros cos(alpha*pi), alpha = 2j/n, of the irreducible factor: v = cos(alpha*pi) is on the domain of level k
+    // for alpha*m^{k+1} < 1, and belongs to v^0 = cos(alpha*m^{k+1}*pi).
+    const long order = static_cast<long>(n);
+    for (long j = 1; 2 * j * m < order; ++j) {
+      meter_.spend(50);
+      if (std::gcd(j, order) != 1) continue;
+      long angle = 2 * j * m;
+      for (long level = 0; angle < order; ++level, angle *= m) {
+        meter_.spend(50 + 10 * angles_.size());
+        const long divisor = std::gcd(angle, order);
+        const Angle zero{level, {angle / divisor, order / divisor}};
+        const bool listed = std::any_of(angles_.begin(), angles_.end(), [&](const Angle& a) {
+          return a.level == zero.level && a.angle.numerator == zero.angle.numerator &&
+                 a.angle.denominator == zero.angle.denominator;
+        });
+        if (!listed) throw Refused(what + " also vanishes for " + text_of(zero) + ", which is not listed");
+      }
+    }
+  }
+  if (has_zero_beyond_cos(p, certificate_.arity, meter_)) {
+    throw Refused(what + " has a zero on the domain that is not listed");
+  }
+}
+
+void Exceptions::several(Polynomial p, const std::string& what) {
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    while (divide_out(p, conditions_[i], meter_)) condition_used_[i] = true;
+  }
+  if (common_sign(p, certificate_.constants) == 0) {
+    throw Refused(
+        what + ": after division by the listed conditions the coefficients are not of one sign, or constants remain");
+  }
+}
+
+void Exceptions::mark_zeros(const Polynomial& p) {
+  if (certificate_.single_level()) {
+    for (auto& [n, used] : orders_) {
+      Dense copy = dense(p);
+      if (divide_out_cosine(copy, n, meter_) > 0) used = true;
+    }
+  }
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    Polynomial copy = p;
+    if (divide_out(copy, conditions_[i], meter_)) condition_used_[i] = true;
+  }
+}
+
+void Exceptions::require_all_used(const std::string& of_what) const {
+  for (const Angle& angle : angles_) {
+    if (!orders_.at(*root_order(angle, certificate_.arity))) {
+      throw Refused("the listed exception " + text_of(angle) + " is not a zero of " + of_what);
+    }
+  }
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    if (!condition_used_[i]) {
+      throw Refused("the listed condition " + text_of(conditions_[i], certificate_.names) + " does not divide " +
+                    of_what);
+    }
+  }
+}
+
+void Exceptions::require_poles() const {
+  const auto& numerators = certificate_.mask.numerators;
+  for (const auto& [n, used] : orders_) {
+    const bool pole = std::any_of(numerators.begin(), numerators.end(), [&, order = n](const Polynomial& numerator) {
+      Dense copy = dense(numerator);
+      return !copy.empty() && divide_out_cosine(copy, order, meter_) == 0;
+    });
+    if (!pole) throw Refused("at a listed exception all numerators vanish with the denominator");
+  }
+  for (const Polynomial& condition : conditions_) {
+    const bool pole = std::any_of(numerators.begin(), numerators.end(),
+                                  [&](Polynomial numerator) { return !divide_out(numerator, condition, meter_); });
+    if (!pole) {
+      throw Refused("the listed condition " + text_of(condition, certificate_.names) + " divides all numerators");
+    }
+  }
+}
+
+std::string Exceptions::text() const {
+  std::string text;
+  for (const Angle& angle : angles_) text += (text.empty() ? " except " : ", ") + text_of(angle);
+  for (const Polynomial& condition : conditions_) {
+    text += (text.empty() ? " except where " : ", ") + text_of(condition, certificate_.names) + " = 0 at some level";
+  }
+  const std::string domain = certificate_.names.empty()    ? "at every level"
+                             : certificate_.single_level() ? "for every v^0 > -1 and every level"
+                                                           : "for all parameters of the domain and every level";
+  return domain + text;
+}
+
+}  // namespace twoscale::check

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room: the independent checker. Dense polynomials in one variable: division, Descartes' rule, Sturm's theorem.
+#include "twoscale/check/univariate.hpp"
+
+#include "twoscale/check/cyclotomic.hpp"
+
+#include <utility>
+
+namespace twoscale::check {
+namespace {
+
+void trim(Dense& p) {
+  while (!p.empty() && p.back() == 0) p.pop_back();
+}
+
+Dense derivative(const Dense& p) {
+  Dense result;
+  for (std::size_t i = 1; i < p.size(); ++i) result.push_back(p[i] * i);
+  return result;
+}
+
+/// Accounts for the memory that p keeps.
+void hold(const Dense& p, Meter& meter) {
+  for (const Integer& c : p) meter.hold(sizeof(Integer) + 8 * words(c));
+}
+
+/// -(remainder of p by g) times a positive number, primitive.
+Dense negated_remainder(Dense p, const Dense& g, Meter& meter) {
+  const Integer lead = g.back();
+  const Integer size = abs(lead);
+  while (p.size() >= g.size()) {
+    const Integer factor = lead > 0 ? p.back() : Integer(-p.back());
+    const std::size_t shift = p.size() - g.size();
+    p.pop_back();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p[i] = meter.multiply(p[i], size);
+      if (i >= shift) p[i] -= meter.multiply(factor, g[i - shift]);
+    }
+    trim(p);
+  }
+  for (Integer& c : p) c = -c;
+  return primitive(std::move(p), meter);
+}
+
+int count_variations(const std::vector<int>& signs) {
+  int count = 0, last = 0;
+  for (const int s : signs) {
+    if (s == 0) continue;
+    if (last != 0 && s != last) ++count;
+    last = s;
+  }
+  return count;
+}
+
+/// Is a/b > cos(pi/m)? With U_j the Chebyshev polynomials of the second kind: exactly if U_1, ..., U_{m-1} are all
+/// positive there (x = cos(phi): sin((j+1)phi) first fails to be positive at the least j+1 >= pi/phi).
+bool beyond_cos(const Integer& a, const Integer& b, int m, Meter& meter) {
+  Integer before = 1, now = 2 * a;  // b^j U_j(a/b)
+  for (int j = 1; j < m; ++j) {
+    if (now <= 0) return false;
+    Integer next = meter.multiply(2 * a, now) - meter.multiply(meter.multiply(b, b), before);
+    before = std::exchange(now, std::move(next));
+  }
+  return true;
+}
+
+}  // namespace
+
+Dense dense(const Polynomial& p) {
+  Dense result(p.empty() ? 0 : static_cast<std::size_t>(p.begin()->first[0]) + 1);
+  for (const auto& [monomial, coefficient] : p) result[static_cast<std::size_t>(monomial[0])] = coefficient;
+  return result;
+}
+
+std::optional<Dense> quotient(const Dense& p, const Dense& g, Meter& meter) {
+  if (p.empty()) return Dense{};
+  if (p.size() < g.size()) return std::nullopt;
+  Dense rest = p;
+  Dense result(p.size() - g.size() + 1);
+  for (std::size_t shift = result.size(); shift-- > 0;) {
+    Integer& lead = rest[shift + g.size() - 1];
+    if (lead == 0) continue;
+    Integer factor, remainder;
+    meter.spend(words(lead) * words(g.back()) + 20);
+    divide_qr(lead, g.back(), factor, remainder);
+    if (remainder != 0) return std::nullopt;
+    for (std::size_t i = 0; i < g.size(); ++i) rest[shift + i] -= meter.multiply(factor, g[i]);
+    result[shift] = std::move(factor);
+  }
+  trim(rest);
+  if (!rest.empty()) return std::nullopt;
+  return result;
+}
+
+Dense primitive(Dense p, Meter& meter) {
+  Integer divisor = 0;
+  for (const Integer& c : p) {
+    if (divisor == 1) return p;
+    divisor = meter.gcd(divisor, c);
+  }
+  if (divisor <= 1) return p;
+  for (Integer& c : p) {
+    meter.spend(words(c) * words(divisor) + 10);
+    c /= divisor;
+  }
+  return p;
+}
+
+int variations_beyond(const Dense& p, const Integer& a, const Integer& b, Meter& meter) {
+  Dense shifted = p;  // b^deg p((x + a)/b): coefficients p_i b^(deg-i), then repeated synthetic division at a
+  Integer power = 1;
+  for (std::size_t i = shifted.size(); i-- > 0;) {
+    shifted[i] = meter.multiply(shifted[i], power);
+    power = meter.multiply(power, b);
+  }
+  for (std::size_t done = 0; a != 0 && done + 1 < shifted.size(); ++done) {
+    for (std::size_t i = shifted.size() - 1; i-- > done;) shifted[i] += meter.multiply(a, shifted[i + 1]);
+  }
+  std::vector<int> signs;
+  for (const Integer& c : shifted) signs.push_back(c.sign());
+  return count_variations(signs);
+}
+
+int sign_at(const Dense& p, const Integer& a, const Integer& b, Meter& meter) {
+  Integer value = 0, power = 1;  // b^deg p(a/b)
+  for (std::size_t i = p.size(); i-- > 0;) {
+    value = meter.multiply(value, a) + meter.multiply(p[i], power);
+    power = meter.multiply(power, b);
+  }
+  return value.sign();
+}
+
+SturmChain::SturmChain(const Dense& p, Meter& meter) {
+  chain_.push_back(primitive(p, meter));
+  Dense next = primitive(derivative(p), meter);
+  while (!next.empty()) {
+    Dense after = negated_remainder(chain_.back(), next, meter);
+    chain_.push_back(std::exchange(next, std::move(after)));
+    hold(chain_.back(), meter);
+  }
+}
+
+int SturmChain::zeros_beyond(const Integer& a, const Integer& b, Meter& meter) const {
+  std::vector<int> here, infinity;
+  for (const Dense& p : chain_) {
+    here.push_back(sign_at(p, a, b, meter));
+    infinity.push_back(p.back().sign());
+  }
+  return count_variations(here) - count_variations(infinity);
+}
+
+bool has_zero_beyond_cos(const Dense& polynomial, int m, Meter& meter) {
+  // The end point does not belong to the interval. Its conjugates cos(j pi/m), j odd, lie to the left of it.
+  Dense p = polynomial;
+  divide_out_cosine(p, 2 * static_cast<std::uint64_t>(m), meter);
+  if (p.size() <= 1) return false;
+
+  // low/scale <= cos(pi/m) <= high/scale, with equality only for m = 2, 3.
+  Integer low = m == 3 ? 1 : 0;
+  Integer high = m == 2 ? 0 : m == 3 ? 1 : 2;
+  Integer scale = 2;
+  const bool exact = m <= 3;
+  const auto refine = [&] {
+    low *= 2, high *= 2, scale *= 2;
+    const Integer middle = (low + high) / 2;
+    (beyond_cos(middle, scale, m, meter) ? high : low) = middle;
+  };
+  for (int i = 0; !exact && i < 24; ++i) refine();
+  if (variations_beyond(p, low, scale, meter) == 0) return false;
+
+  const SturmChain chain(p, meter);
+  while (true) {  // ends because p does not vanish at cos(pi/m)
+    if (sign_at(p, low, scale, meter) != 0 && chain.zeros_beyond(low, scale, meter) == 0) return false;
+    if (sign_at(p, high, scale, meter) == 0 || chain.zeros_beyond(high, scale, meter) > 0) return true;
+    refine();
+  }
+}
+
+}  // namespace twoscale::check
