@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: 0BSD
+// Literals, comments and names of generated C and C++.
+#include "c_source.hpp"
+
+#include <algorithm>
+
+#include "twoscale/kernels/error.hpp"
+#include "twoscale/kernels/number_text.hpp"
+#include "twoscale/kernels/refine.hpp"
+
+namespace twoscale::kernels::c_source {
+namespace {
+
+constexpr int double_digits = 17;
+
+// A decimal made a floating literal ("1" -> "1.0"); C has no sign or leading zeros problem in floating literals.
+std::string floating(std::string text) {
+  if (text.find_first_of(".eE") == std::string::npos) text += ".0";
+  return text;
+}
+
+}  // namespace
+
+std::string comment_block(const MaskTable& table) {
+  std::string out = "/*\n";
+  for (const std::string& line : header_lines(table)) out += " * " + line + "\n";
+  return out + " */\n";
+}
+
+std::string prefix(const MaskTable& table, const TableOptions& options) {
+  if (options.prefix.empty()) return identifier_of_scheme(table.scheme);
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9'); };
+  if (!letter(options.prefix[0]) || !std::all_of(options.prefix.begin(), options.prefix.end(), inner)) {
+    throw Error(Error::Kind::bad_input, "not an identifier: " + quoted(options.prefix));
+  }
+  return options.prefix;
+}
+
+std::string literal(const MaskTable& table, const TableOptions& options, double value, const std::string& text) {
+  if (options.hex_float) return hex_float(value);
+  const bool short_text = table.digits > 0 && table.digits < double_digits;
+  return floating(short_text ? text : shortest(value));
+}
+
+std::string long_literal(const std::string& text) { return floating(text) + "L"; }
+
+bool has_long_digits(const MaskTable& table) { return table.digits > double_digits; }
+
+std::string shift_expression(const MaskTable& table) {
+  const Shift p = parse_shift(table.shift);
+  const std::string num = std::to_string(p.num) + ".0";
+  if (p.den != 1) return std::string("(") + num + "/" + std::to_string(p.den) + ".0)";
+  return p.num < 0 ? std::string("(") + num + ")" : num;
+}
+
+std::string rows(const MaskTable& table, const TableOptions& options, bool long_digits, std::string_view open,
+                 std::string_view close) {
+  constexpr std::size_t width = 100;
+  const TableGrid grid = common_grid(table);
+  std::string out;
+  for (std::size_t k = 0; k < grid.value.size(); ++k) {
+    const bool limit = k == table.levels.size();
+    out += limit ? "    /* limit */\n" : "    /* k = " + std::to_string(k) + " */\n";
+    std::string line = "    " + std::string(open);
+    for (std::size_t s = 0; s < grid.value[k].size(); ++s) {
+      std::string item =
+          long_digits ? long_literal(grid.text[k][s]) : literal(table, options, grid.value[k][s], grid.text[k][s]);
+      if (s + 1 < grid.value[k].size()) item += ",";
+      if (s > 0 && line.size() + 1 + item.size() > width) {
+        out += line + "\n";
+        line = "     " + item;
+      } else {
+        line += (s > 0 ? " " : "") + item;
+      }
+    }
+    out += line + std::string(close) + (limit ? "\n" : ",\n");
+  }
+  return out;
+}
+
+std::string operation_count(const MaskTable& table) {
+  const TableGrid grid = common_grid(table);
+  std::size_t terms = 0;  // coefficients that are nonzero at some level
+  for (std::size_t s = 0; s < grid.value[0].size(); ++s) {
+    const bool used = std::any_of(grid.value.begin(), grid.value.end(), [&](const auto& row) { return row[s] != 0; });
+    if (used) ++terms;
+  }
+  return "At most " + std::to_string(terms) + " multiplications and as many additions for each old point.";
+}
+
+std::string substituted(std::string_view text, const std::string& lower, const std::string& upper) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '@')
+      out += lower;
+    else if (c == '$')
+      out += upper;
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string upper_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return text;
+}
+
+}  // namespace twoscale::kernels::c_source
