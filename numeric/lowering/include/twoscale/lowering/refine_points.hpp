@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Refinement of points files: in doubles through the vectorised kernels, or with any number of proved digits.
+#pragma once
+
+#include "twoscale/kernels/points_io.hpp"
+#include "twoscale/kernels/refine.hpp"
+#include "twoscale/lowering/lower.hpp"
+
+namespace twoscale::lowering {
+
+struct RefineOptions {
+  unsigned levels = 1;
+  kernels::Boundary boundary = kernels::Boundary::closed;
+  // 0: double arithmetic with correctly rounded masks. Else 17..10000: the numbers of `points` are read exactly from their
+  // texts, everything is enclosed in balls, and every number of the output has that many correct significant digits
+  // (tokens). A number that cannot be told from 0 with twice the digits (smaller than 10^(-2 digits) times the largest of
+  // the output) is printed as 0.
+  long digits = 0;
+};
+
+// Points out: the same columns, point 0 first (kernels/refine.hpp says which parameters they belong to).
+// Throws Error or kernels::Error (bad_input): unusable options, too few points, more than 2^31 points out, no space for
+// Boundary::space, a singular step; Error(undecided) if a digit could not be decided.
+kernels::PointSet refine_points(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
+                                const RefineOptions& options);
+
+}  // namespace twoscale::lowering

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rounding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "twoscale/symbolic/error.hpp"
+
+namespace twoscale::lowering {
+
+namespace {
+
+constexpr double log2_of_10 = 3.3219280948873624;
+constexpr double log10_of_2 = 0.30102999566398119;
+constexpr mp_limb_t ten_19 = 10000000000000000000UL;
+
+// The last `count` digits of value, leading zeros kept.
+void write_digits(char* to, unsigned long value, int count) {
+  static constexpr auto pairs = [] {
+    std::array<char, 200> t{};
+    for (size_t i = 0; i < 100; ++i) {
+      t[2 * i] = static_cast<char>('0' + i / 10);
+      t[2 * i + 1] = static_cast<char>('0' + i % 10);
+    }
+    return t;
+  }();
+  // Blocks of 8 digits in 32-bit arithmetic.
+  while (count >= 8) {
+    const unsigned long rest = value / 100000000;
+    auto block = static_cast<unsigned>(value - rest * 100000000);
+    for (int i = 2; i <= 8; i += 2, block /= 100) std::memcpy(to + count - i, &pairs[2 * static_cast<size_t>(block % 100)], 2);
+    count -= 8;
+    value = rest;
+  }
+  for (int i = count; i-- > 0; value /= 10) to[i] = static_cast<char>('0' + value % 10);
+}
+
+struct Integer {
+  fmpz_t v;
+  Integer() { fmpz_init(v); }
+  Integer(const Integer&) = delete;
+  Integer& operator=(const Integer&) = delete;
+  ~Integer() { fmpz_clear(v); }
+  std::string text() const {
+    char* s = fmpz_get_str(nullptr, 10, v);
+    std::string r(s);
+    flint_free(s);
+    return r;
+  }
+};
+
+// floor(log10 |x|), possibly one off.
+long decimal_exponent(const Rational& x) {
+  const auto log2_of = [](const fmpz* n) {
+    slong e = 0;
+    const double d = std::fabs(fmpz_get_d_2exp(&e, n));
+    return std::log2(d) + static_cast<double>(e);
+  };
+  return static_cast<long>(std::floor((log2_of(x.numerator()) - log2_of(x.denominator())) * log10_of_2));
+}
+
+// |x| 10^shift as integer quotient and remainder over `divisor`.
+void scale(const Rational& x, long shift, Integer& quotient, Integer& remainder, Integer& divisor) {
+  Integer n, ten;
+  fmpz_abs(n.v, x.numerator());
+  fmpz_set(divisor.v, x.denominator());
+  fmpz_set_ui(ten.v, 10);
+  fmpz_pow_ui(ten.v, ten.v, static_cast<ulong>(std::labs(shift)));
+  if (shift >= 0)
+    fmpz_mul(n.v, n.v, ten.v);
+  else
+    fmpz_mul(divisor.v, divisor.v, ten.v);
+  fmpz_fdiv_qr(quotient.v, remainder.v, n.v, divisor.v);
+}
+
+}  // namespace
+
+std::string decimal_layout(const std::string& digits, long last, bool negative, long precision) {
+  const long count = static_cast<long>(digits.size());
+  const long e = last + count - 1;  // of the first digit
+  std::string text = negative ? "-" : "";
+  if (e > 20 || e < -(precision + 6)) {
+    text += digits[0];
+    if (count > 1) text.append(1, '.').append(digits, 1);
+    return text + "e" + std::to_string(e);
+  }
+  if (last >= 0) return text.append(digits).append(static_cast<size_t>(last), '0');
+  if (e < 0) return text.append("0.").append(static_cast<size_t>(-e - 1), '0').append(digits);
+  return text.append(digits, 0, static_cast<size_t>(e) + 1).append(1, '.').append(digits, static_cast<size_t>(e) + 1);
+}
+
+// Digits of |x| down to 10^{e - digits + 1}. wrong: +1 if e is too small, -1 if too large.
+bool DecimalRounder::try_exponent(const Ball& x, long e, int& wrong) {
+  wrong = 0;
+  const arf_struct* mid = arb_midref(x.raw());
+  const long decimals = digits_ - 1 - e;
+  // One limb goes with every 19 digits, two stay for the remainder; cutting errors add up to less than 2^-100.
+  const size_t limbs = static_cast<size_t>((decimals + 18) / 19) + 2;
+  // |mid| 2^{64 limbs}, rounded down: `limbs` limbs of fraction under one limb of integer part.
+  arf_t scaled;
+  arf_init(scaled);
+  arf_abs(scaled, mid);
+  arf_mul_2exp_si(scaled, scaled, static_cast<slong>(64 * limbs));
+  Integer fixed;
+  const bool inexact = arf_get_fmpz(fixed.v, scaled, ARF_RND_DOWN) != 0;
+  arf_clear(scaled);
+  fraction_.assign(limbs + 1, 0);
+  if (COEFF_IS_MPZ(*fixed.v)) {
+    const mpz_srcptr big = COEFF_TO_PTR(*fixed.v);
+    std::copy_n(big->_mp_d, static_cast<size_t>(std::abs(big->_mp_size)), fraction_.begin());
+  } else {
+    fraction_[0] = static_cast<mp_limb_t>(*fixed.v);
+  }
+  // |value - fixed| < 2^q in units of the last digit.
+  long q = -(1L << 40);
+  if (!mag_is_zero(arb_radref(x.raw()))) {
+    if (COEFF_IS_MPZ(MAG_EXP(arb_radref(x.raw())))) return false;
+    q = MAG_EXP(arb_radref(x.raw()));
+  }
+  if (inexact) q = std::max(q, -static_cast<long>(64 * limbs)) + 1;
+  if (q > -(1L << 40)) q += static_cast<long>(std::ceil(static_cast<double>(decimals) * log2_of_10)) + 1;
+  if (q > -3) return false;
+
+  buffer_.resize(20 + static_cast<size_t>(decimals));
+  write_digits(buffer_.data(), fraction_[limbs], 20);
+  char* to = buffer_.data() + 20;
+  size_t low = 0;  // limbs cut off
+  bool cut = false;
+  for (long left = decimals; left > 0;) {
+    const int chunk = static_cast<int>(std::min(19L, left));
+    mp_limb_t power = ten_19;
+    for (int i = chunk; i < 19; ++i) power /= 10;
+    write_digits(to, mpn_mul_1(&fraction_[low], &fraction_[low], static_cast<mp_size_t>(limbs - low), power), chunk);
+    to += chunk;
+    left -= chunk;
+    cut = cut || fraction_[low] != 0;
+    ++low;
+  }
+  // What is left is compared with 1/2; a difference of at least 2^-62 + 2^q decides.
+  const mp_limb_t rest = fraction_[limbs - 1];
+  const mp_limb_t half = mp_limb_t(1) << 63;
+  const mp_limb_t distance = rest >= half ? rest - half : half - rest;
+  const bool exact_value = q <= -(1L << 39) && !cut;
+  if (!exact_value && distance < (mp_limb_t(1) << std::max(0L, 64 + std::max(q, -63L))) + 4) return false;
+  if (rest >= half) {  // the remainder of an exact value is exact: half goes up
+    size_t i = buffer_.size();
+    while (buffer_[--i] == '9') buffer_[i] = '0';
+    ++buffer_[i];
+  }
+  const size_t first = buffer_.find_first_not_of('0');
+  if (first == std::string::npos) {
+    wrong = -1;
+    return false;
+  }
+  const long count = static_cast<long>(buffer_.size() - first);
+  if (count < digits_) {
+    wrong = -1;
+    return false;
+  }
+  if (count > digits_) {
+    const bool carried = buffer_[first] == '1' && buffer_.find_first_not_of('0', first + 1) == std::string::npos &&
+                         count == digits_ + 1;
+    if (!carried) {
+      wrong = 1;
+      return false;
+    }
+  }
+  buffer_.erase(0, first);
+  return true;
+}
+
+bool DecimalRounder::round(const Ball& x, Decimal& result) {
+  if (!x.is_finite() || x.contains_zero()) return false;
+  const arf_struct* mid = arb_midref(x.raw());
+  if (COEFF_IS_MPZ(ARF_EXP(mid))) return false;
+  const long size = ARF_EXP(mid);
+  // The lead: 2^{size-1} <= |mid| < 2^size.
+  const bool negative = arf_sgn(mid) < 0;
+  const bool moderate = size <= 60 && size > -4096 && digits_ > size / 3 + 1;
+  if (!moderate) {
+    // Far from 1: through a rational number of the right digits.
+    result.text = rounded_decimal(x, digits_);
+    if (result.text.empty()) return false;
+    const auto mark = result.text.find('e');
+    long e = mark == std::string::npos ? 0 : std::stol(result.text.substr(mark + 1));
+    if (mark == std::string::npos) {
+      const std::string plain = negative ? result.text.substr(1) : result.text;
+      const auto point = plain.find('.');
+      const auto first = plain.find_first_not_of("0.");
+      e = first < std::min(point, plain.size()) ? static_cast<long>(std::min(point, plain.size())) - 1 - static_cast<long>(first)
+                                                : static_cast<long>(point) - static_cast<long>(first);
+    }
+    result.last = e - digits_ + 1;
+    result.exact = false;
+    return true;
+  }
+  arf_t lead;
+  arf_init(lead);
+  arf_abs(lead, mid);
+  arf_mul_2exp_si(lead, lead, -size);
+  const double log2_of_x = std::log2(arf_get_d(lead, ARF_RND_NEAR)) + static_cast<double>(size);
+  arf_clear(lead);
+  long e = static_cast<long>(std::floor(log2_of_x * log10_of_2));
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    int wrong = 0;
+    if (try_exponent(x, e, wrong)) {
+      result.last = e - digits_ + 1;
+      if (static_cast<long>(buffer_.size()) > digits_) {  // 99..9 became 100..0
+        buffer_.pop_back();
+        ++result.last;
+      }
+      result.text = decimal_layout(buffer_, result.last, negative, digits_);
+      result.exact = false;
+      return true;
+    }
+    if (wrong == 0) return false;
+    e += wrong;
+  }
+  return false;
+}
+
+Decimal rounded(const Rational& x, long digits) {
+  if (x.is_zero()) return {"0", 0, true};
+  Integer quotient, remainder, divisor;
+  long e = decimal_exponent(x);
+  for (;;) {
+    const long last = e - digits + 1;
+    scale(x, -last, quotient, remainder, divisor);
+    const bool exact = fmpz_is_zero(remainder.v) != 0;
+    const std::string before = quotient.text();  // decides whether e is right
+    const long count = static_cast<long>(before.size());
+    if (fmpz_is_zero(quotient.v) || count != digits) {
+      e += count > digits ? 1 : -1;
+      continue;
+    }
+    fmpz_mul_ui(remainder.v, remainder.v, 2);
+    std::string text = before;
+    long weight = last;
+    if (fmpz_cmp(remainder.v, divisor.v) >= 0) {
+      fmpz_add_ui(quotient.v, quotient.v, 1);
+      text = quotient.text();
+      if (static_cast<long>(text.size()) > digits) {
+        text.pop_back();
+        ++weight;
+      }
+    }
+    if (exact) {
+      const size_t kept = text.find_last_not_of('0') + 1;
+      weight += static_cast<long>(text.size() - kept);
+      text.resize(kept);
+    }
+    return {decimal_layout(text, weight, x.sign() < 0, digits), weight, exact};
+  }
+}
+
+double rounded_double(const Rational& x) {
+  if (x.is_zero()) return 0;
+  // Round to odd at 1200 bits, far below the last bit of any double, then once to nearest.
+  arf_t n, d, q;
+  arf_init(n);
+  arf_init(d);
+  arf_init(q);
+  arf_set_fmpz(n, x.numerator());
+  arf_set_fmpz(d, x.denominator());
+  const bool inexact = arf_div(q, n, d, 1200, ARF_RND_DOWN) != 0;
+  if (inexact) {
+    arf_t tiny;
+    arf_init(tiny);
+    arf_set_si_2exp_si(tiny, x.sign(), 0);
+    arf_mul_2exp_fmpz(tiny, tiny, ARF_EXPREF(q));
+    arf_mul_2exp_si(tiny, tiny, -1250);
+    arf_add(q, q, tiny, ARF_PREC_EXACT, ARF_RND_DOWN);
+    arf_clear(tiny);
+  }
+  const double r = arf_get_d(q, ARF_RND_NEAR);
+  arf_clear(n);
+  arf_clear(d);
+  arf_clear(q);
+  return r;
+}
+
+bool is_double(const Rational& x) {
+  const double d = rounded_double(x);
+  if (!std::isfinite(d)) return false;
+  arf_t a;
+  arf_init(a);
+  arf_set_d(a, d);
+  const bool same = to_rational(a) == x;
+  arf_clear(a);
+  return same;
+}
+
+std::string rounded_up(const Rational& x) {
+  if (x.sign() <= 0) return "0";
+  Integer quotient, remainder, divisor;
+  long e = decimal_exponent(x);
+  for (;;) {
+    scale(x, 2 - e, quotient, remainder, divisor);
+    if (!fmpz_is_zero(remainder.v)) fmpz_add_ui(quotient.v, quotient.v, 1);
+    if (fmpz_cmp_ui(quotient.v, 1000) > 0) {
+      ++e;
+      continue;
+    }
+    if (fmpz_cmp_ui(quotient.v, 100) < 0) {
+      --e;
+      continue;
+    }
+    std::string text = quotient.text();
+    e += static_cast<long>(text.size()) - 3;
+    text.resize(text.find_last_not_of('0') + 1);
+    if (e == 0 || e == 1) return decimal_layout(text, e - static_cast<long>(text.size()) + 1, false, 3);
+    return text.substr(0, 1) + (text.size() > 1 ? "." + text.substr(1) : "") + "e" + std::to_string(e);
+  }
+}
+
+std::string rounded_up(const arf_t x) { return rounded_up(to_rational(x)); }
+
+Rational to_rational(const arf_t x) {
+  Integer man, exp, power;
+  arf_get_fmpz_2exp(man.v, exp.v, x);
+  const long e = fmpz_get_si(exp.v);
+  fmpz_one(power.v);
+  fmpz_mul_2exp(power.v, power.v, static_cast<ulong>(std::labs(e)));
+  return e >= 0 ? Rational(man.v) * Rational(power.v) : Rational(man.v) / Rational(power.v);
+}
+
+Rational exact_decimal(const std::string& text) {
+  const auto mark = text.find_first_of("eE");
+  std::string digits = text.substr(0, mark);
+  long exponent = mark == std::string::npos ? 0 : std::stol(text.substr(mark + 1));
+  const bool negative = digits[0] == '-';
+  if (digits[0] == '-' || digits[0] == '+') digits.erase(0, 1);
+  if (const auto point = digits.find('.'); point != std::string::npos) {
+    exponent -= static_cast<long>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  Integer n;
+  fmpz_set_str(n.v, digits.c_str(), 10);
+  Rational r(n.v);
+  r *= Rational(10).pow(exponent);
+  return negative ? -r : r;
+}
+
+}  // namespace twoscale::lowering

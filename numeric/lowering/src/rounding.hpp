@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Correct rounding of balls and rationals to decimals (half away from zero) and doubles (half to even).
+#pragma once
+
+#include <gmp.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "twoscale/symbolic/ball.hpp"
+#include "twoscale/symbolic/rational.hpp"
+
+namespace twoscale::lowering {
+
+// A decimal and the power of ten of its last digit; exact: the text is the value itself, without trailing zeros.
+struct Decimal {
+  std::string text;
+  long last = 0;
+  bool exact = false;
+};
+
+// Significant digits of balls. The fraction is multiplied by 10^19 limb by limb, so that no division is needed; buffers are
+// kept from call to call.
+class DecimalRounder {
+ public:
+  explicit DecimalRounder(long digits) : digits_(digits) {}
+  // False if the ball does not decide every digit.
+  bool round(const Ball& x, Decimal& result);
+
+ private:
+  bool try_exponent(const Ball& x, long e, int& wrong);
+
+  long digits_;
+  std::vector<mp_limb_t> fraction_;
+  std::string buffer_;  // digits: integer part, then the fraction
+};
+
+Decimal rounded(const Rational& x, long digits);
+// Nearest double, ties to even; huge values become infinite.
+double rounded_double(const Rational& x);
+// True if x is a double.
+bool is_double(const Rational& x);
+
+// The number whose significant digits are `digits` (no point) and whose last one has weight 10^last. Plain notation; scientific
+// beyond 10^21 and below 10^-(precision+6).
+std::string decimal_layout(const std::string& digits, long last, bool negative, long precision);
+
+// A decimal >= x with at most 3 significant digits, "1.23e-7"; x >= 0.
+std::string rounded_up(const Rational& x);
+std::string rounded_up(const arf_t x);
+
+// The exact value of an accepted decimal (kernels::is_decimal).
+Rational exact_decimal(const std::string& text);
+
+// The rational number of a finite arf.
+Rational to_rational(const arf_t x);
+
+}  // namespace twoscale::lowering
