@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The derivation of a scheme from its space as one value, and its renderings for `derive`.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+
+#include "twoscale/symbolic/interpolatory.hpp"
+#include "twoscale/symbolic/scheme.hpp"
+
+namespace twoscale::cli {
+
+struct Derivation {
+  std::string scheme;      // name of what was derived
+  Space space;
+  int arity = 2;
+  Laurent sigma;
+  SingularSet singular;
+  // For even dimension and arity 2 only: the way to the interpolating scheme.
+  struct Interpolating {
+    HessenbergSystem system;
+    FoldedSystem folded;
+    RationalFunction folded_determinant;
+    Laurent zeta;
+  };
+  std::optional<Interpolating> interpolating;
+};
+
+Derivation derive(const Space& space, int arity, std::string scheme);
+
+nlohmann::ordered_json to_json(const Derivation& d);
+std::string to_text(const Derivation& d);
+std::string to_latex(const Derivation& d);
+std::string to_markdown(const Derivation& d);
+
+// Numbers N of points from which a closed polygon sampled at 2 pi/N cannot start: v^0 = cos(2 pi/N) is singular.
+std::vector<long> impossible_polygons(const SingularSet& singular);
+
+// {"lowest": .., "coefficients": [..]}
+nlohmann::ordered_json laurent_json(const Laurent& a);
+
+}  // namespace twoscale::cli

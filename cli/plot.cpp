@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// twoscale plot basic|curve|sweep|comb|curvature SCHEME [IN] -o FILE.{svg,pdf,png}
+#include "twoscale/reports/plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "session.hpp"
+#include "twoscale/kernels/points_io.hpp"
+#include "twoscale/kernels/write_file.hpp"
+#include "twoscale/reports/curves.hpp"
+#include "twoscale/symbolic/catalog.hpp"
+#include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/expression.hpp"
+
+namespace twoscale::cli {
+
+namespace {
+
+using kernels::Boundary;
+using kernels::PointSet;
+using reports::Line;
+using reports::Picture;
+using reports::Refined;
+
+constexpr int most_levels = 16;
+constexpr double most_points = 1e6;
+
+struct Options {
+  std::string kind;
+  std::string scheme;
+  std::string input;
+  std::string values;
+  std::string open;
+  bool closed = false;
+  int levels = 6;
+  Values at;
+};
+
+struct Data {
+  PointSet points;
+  Boundary boundary = Boundary::closed;
+  bool closed() const { return boundary == Boundary::closed; }
+};
+
+Data read_data(const Options& o) {
+  if (o.input.empty()) bad_input("plot " + o.kind + ": a file of points is missing", o.kind + " " + o.scheme);
+  Data d;
+  d.points = kernels::read_points(o.input);
+  if (!o.open.empty()) d.boundary = kernels::parse_boundary(o.open);
+  if (!o.open.empty() && d.closed()) bad_input("--open takes given, linear or space", o.open);
+  return d;
+}
+
+// The coordinates drawn: the first two columns, or three when there are.
+std::size_t coordinates(const PointSet& points, bool plane_only, const Options& o) {
+  if (points.dim < 2 || (plane_only && points.dim != 2) || points.dim > 3)
+    bad_input("plot " + o.kind + ": points need " + (plane_only ? "two" : "two or three") + " columns, not " + std::to_string(points.dim), o.input);
+  return points.dim;
+}
+
+Refined refine(const Scheme& s, const lowering::Binding& binding, const Data& d, const Options& o) {
+  const double size = static_cast<double>(d.points.size()) * std::pow(s.arity, o.levels);
+  if (size > most_points) bad_input("--levels: too many points for a picture", std::to_string(o.levels));
+  return reports::refine_points(s, binding, d.points.values, d.points.dim, o.levels, d.boundary);
+}
+
+Line polygon(const Scheme& s, const Data& d) {
+  Line l;
+  l.dim = d.points.dim;
+  l.style = Line::Style::polygon;
+  l.closed = d.closed();
+  l.title = "polygon";
+  const kernels::EndPoints ends = d.boundary == Boundary::given ? reports::points_beyond_ends(s) : kernels::EndPoints{};
+  const auto dim = static_cast<std::ptrdiff_t>(d.points.dim);
+  l.values.assign(d.points.values.begin() + ends.left * dim, d.points.values.end() - ends.right * dim);
+  return l;
+}
+
+Line curve_line(const Refined& r, const Data& d, std::string title, int colour) {
+  Line l;
+  l.values = r.values;
+  l.dim = r.dim;
+  l.closed = d.closed();
+  l.title = std::move(title);
+  l.colour = colour;
+  return l;
+}
+
+Picture basic(const Scheme& s, const Options& o) {
+  if (!o.input.empty()) bad_input("plot basic takes no points", o.input);
+  if (std::pow(s.arity, o.levels) > most_points / 100) bad_input("--levels: too many points for a picture", std::to_string(o.levels));
+  Picture p;
+  p.equal_axes = false;
+  p.title = s.id;
+  p.x_label = "parameter";
+  Line l;
+  l.values = reports::basic_limit_function(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), o.levels).values;
+  p.lines.push_back(std::move(l));
+  return p;
+}
+
+Picture curve(const Scheme& s, const Options& o) {
+  const Data d = read_data(o);
+  coordinates(d.points, false, o);
+  const Refined r = refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
+  Picture p;
+  p.lines = {polygon(s, d), curve_line(r, d, "limit curve", 0)};
+  p.title = s.id;
+  return p;
+}
+
+Picture sweep(const Scheme& s, const Options& o) {
+  if (o.values.empty()) bad_input("plot sweep: give the values of v0 by --values", s.id);
+  if (o.at.v0 || o.at.t) bad_input("plot sweep: values of v0 come from --values, not from --v0 or --t", o.at.v0 ? *o.at.v0 : *o.at.t);
+  std::string list = trimmed(o.values);
+  if (list.size() >= 2 && list.front() == '[' && list.back() == ']') list = list.substr(1, list.size() - 2);
+  const auto values = split_list(list);
+  if (values.empty() || values.size() > 24) bad_input("--values: from 1 to 24 values", o.values);
+  const Data d = read_data(o);
+  coordinates(d.points, false, o);
+  Picture p;
+  p.title = s.id;
+  p.lines.push_back(polygon(s, d));
+  int colour = 0;
+  for (const auto& v0 : values) p.lines.push_back(curve_line(refine(s, lowering::bind(s, v0, std::nullopt, o.at.named()), d, o), d, "v⁰ = " + v0, colour++));
+  return p;
+}
+
+Picture comb(const Scheme& s, const Options& o) {
+  const Data d = read_data(o);
+  coordinates(d.points, true, o);
+  const Refined r = refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
+  const std::vector<double> k = reports::curvature(r.values, d.closed());
+  double greatest = 0, low[2] = {r.values[0], r.values[1]}, high[2] = {r.values[0], r.values[1]};
+  for (double x : k)
+    if (std::isfinite(x)) greatest = std::max(greatest, std::abs(x));
+  for (std::size_t i = 0; i < r.values.size(); ++i) {
+    low[i % 2] = std::min(low[i % 2], r.values[i]);
+    high[i % 2] = std::max(high[i % 2], r.values[i]);
+  }
+  // The longest tooth is a quarter of the curve's size.
+  const double scale = greatest > 0 ? 0.25 * std::hypot(high[0] - low[0], high[1] - low[1]) / greatest : 0;
+  Line teeth, tips;
+  teeth.style = Line::Style::segments;
+  teeth.colour = tips.colour = 1;
+  teeth.title = "curvature";
+  const std::size_t n = r.size();
+  const std::size_t stride = std::max<std::size_t>(1, n / 400);
+  for (std::size_t j = 0; j < n; j += stride) {
+    if (!std::isfinite(k[j])) continue;
+    const std::size_t a = (j + n - 1) % n, b = (j + 1) % n;
+    const double tx = r.values[2 * b] - r.values[2 * a], ty = r.values[2 * b + 1] - r.values[2 * a + 1];
+    const double length = std::hypot(tx, ty);
+    if (!(length > 0)) continue;
+    const double x = r.values[2 * j], y = r.values[2 * j + 1];
+    const double tip[2] = {x + scale * k[j] * ty / length, y - scale * k[j] * tx / length};
+    teeth.values.insert(teeth.values.end(), {x, y, tip[0], tip[1]});
+    tips.values.insert(tips.values.end(), {tip[0], tip[1]});
+  }
+  tips.closed = d.closed();
+  Picture p;
+  p.title = s.id;
+  if (!teeth.values.empty()) p.lines = {teeth, tips};
+  p.lines.push_back(polygon(s, d));
+  p.lines.push_back(curve_line(r, d, "limit curve", 0));
+  return p;
+}
+
+Picture curvature_graph(const Scheme& s, const Options& o) {
+  const Data d = read_data(o);
+  coordinates(d.points, true, o);
+  const Refined r = refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
+  const std::vector<double> k = reports::curvature(r.values, d.closed());
+  Line l;
+  for (std::size_t j = 0; j < k.size(); ++j)
+    if (std::isfinite(k[j])) l.values.insert(l.values.end(), {r.parameter(j), k[j]});
+  if (l.values.empty()) bad_input("plot curvature: all points coincide", o.input);
+  Picture p;
+  p.equal_axes = false;
+  p.title = s.id;
+  p.x_label = "parameter";
+  p.y_label = "curvature";
+  p.lines.push_back(std::move(l));
+  return p;
+}
+
+Picture picture(const Options& o) {
+  if (o.kind == "spectrum") bad_input("plot spectrum is not available in this version", o.kind);
+  const Scheme s = make_scheme(o.scheme);
+  if (o.kind == "basic") return basic(s, o);
+  if (o.kind == "curve") return curve(s, o);
+  if (o.kind == "sweep") return sweep(s, o);
+  if (o.kind == "comb") return comb(s, o);
+  return curvature_graph(s, o);
+}
+
+reports::ImageFormat format_of(const Common& common) {
+  const std::string given = common.format == "text" ? "" : common.format;
+  if (common.output == "-") return reports::image_format(given.empty() ? "-" : "." + given);
+  const auto format = reports::image_format(common.output);
+  if (!given.empty() && reports::image_format("x." + given) != format) bad_input("--format " + given + " does not fit the file", common.output);
+  return format;
+}
+
+}  // namespace
+
+void add_plot_command(CLI::App& app, Session& session) {
+  auto o = std::make_shared<Options>();
+  CLI::App* c = add_command(app, session, "plot", "draw basic limit functions, curves, tension sweeps, curvature", {"svg", "pdf", "png"});
+  c->add_option("kind", o->kind, "basic, curve, sweep, comb or curvature")
+      ->required()
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"basic", "curve", "sweep", "comb", "curvature", "spectrum"}));
+  c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
+  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input; not for basic")->type_name("IN");
+  add_values(c, o->at);
+  c->add_option("--values", o->values, "sweep: values of v0, \"v1,v2,...\"")->type_name("LIST");
+  c->add_option("--levels", o->levels, "refinement steps, 6 by default")->check(CLI::Range(0, most_levels))->type_name("K");
+  CLI::Option* closed = c->add_flag("--closed", o->closed, "closed polygon (default)");
+  c->add_option("--open", o->open, "open polygon: given, linear or space")->type_name("RULE")->excludes(closed);
+  c->callback([&session, o] {
+    session.action = [&session, o] {
+      const auto format = format_of(session.common);
+      kernels::write_file(session.common.output, reports::render(picture(*o), format));
+      return 0;
+    };
+  });
+}
+
+}  // namespace twoscale::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// twoscale refine SCHEME [--v0 E] --levels K [--closed|--open=given|linear|space] [--digits D] IN -o OUT: refines points.
+#include "session.hpp"
+#include "twoscale/kernels/points_io.hpp"
+#include "twoscale/kernels/write_file.hpp"
+#include "twoscale/lowering/refine_points.hpp"
+#include "twoscale/symbolic/catalog.hpp"
+#include "twoscale/symbolic/error.hpp"
+
+namespace twoscale::cli {
+
+namespace {
+
+struct Options {
+  std::string scheme;
+  std::string input;
+  Values values;
+  unsigned levels = 0;
+  long digits = 0;
+  bool closed = false;
+  std::string open;
+};
+
+int run(const Options& o, const Common& common) {
+  // Everything that can be refused without the points comes first.
+  const std::string target = common.format == "text" ? common.output : "." + common.format;
+  const kernels::PointFormat format = kernels::point_format(target);
+  lowering::RefineOptions options;
+  options.levels = o.levels;
+  options.digits = o.digits;
+  if (!o.open.empty()) {
+    options.boundary = kernels::parse_boundary(o.open);
+    if (options.boundary == kernels::Boundary::closed) bad_input("--open takes given, linear or space", o.open);
+  }
+  const Scheme s = make_scheme(o.scheme);
+  const lowering::Binding b = lowering::bind(s, o.values.v0, o.values.t, o.values.named());
+  const kernels::PointSet in = kernels::read_points(o.input);
+  const kernels::PointSet out = lowering::refine_points(s, b, in, options);
+  const bool closed = options.boundary == kernels::Boundary::closed;
+  kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));
+  return 0;
+}
+
+}  // namespace
+
+void add_refine_command(CLI::App& app, Session& session) {
+  auto o = std::make_shared<Options>();
+  CLI::App* c = add_command(app, session, "refine", "refine points; formats by the suffixes of IN (csv, npy, obj) and of the output file",
+                            {"text", "csv", "npy", "obj", "ply", "svg"});
+  c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
+  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input")->required()->type_name("IN");
+  add_values(c, o->values);
+  c->add_option("--levels", o->levels, "number K of refinement steps")->required()->check(CLI::Range(0, 64))->type_name("K");
+  CLI::Option* closed = c->add_flag("--closed", o->closed, "closed polygon (default)");
+  c->add_option("--open", o->open, "open polygon: given, linear or space")->type_name("RULE")->excludes(closed);
+  c->add_option("--digits", o->digits, "significant digits, all correct; without it, doubles")->check(CLI::Range(17, 10000))->type_name("D");
+  c->callback([&session, o] { session.action = [&session, o] { return run(*o, session.common); }; });
+}
+
+}  // namespace twoscale::cli

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// twoscale table SCHEME [--v0 E|--t E|--at ...] --levels K [--digits D|--double] [--format F]: mask tables.
+#include <algorithm>
+#include <sstream>
+
+#include "session.hpp"
+#include "twoscale/kernels/export/table_writer.hpp"
+#include "twoscale/kernels/write_file.hpp"
+#include "twoscale/lowering/lower.hpp"
+#include "twoscale/symbolic/catalog.hpp"
+
+namespace twoscale::cli {
+
+namespace {
+
+struct Options {
+  std::string scheme;
+  Values values;
+  unsigned levels = 0;
+  long digits = 17;
+  bool doubles = false;
+  bool hex = false;
+  std::string prefix;
+};
+
+// For people: the facts, then one line a coefficient with the decimal points in one column.
+std::string table_text(const kernels::MaskTable& t) {
+  std::ostringstream out;
+  const auto facts = [&](const char* name, const std::vector<std::pair<std::string, std::string>>& list) {
+    for (const auto& [key, value] : list) out << name << key << " = " << value << "\n";
+  };
+  out << "scheme         " << t.scheme << "\n";
+  facts("parameter      ", t.parameters);
+  facts("level          ", t.level_variables);
+  if (!t.recurrence.empty()) out << "recurrence     " << t.recurrence << "\n";
+  const std::string m = std::to_string(t.arity);
+  out << "rule           f^{k+1}_i = sum_j a^{[k]}_{i-" << m << "*j} f^k_j, arity " << m << "\n";
+  out << "support        [" << t.limit.lowest << ", " << t.limit.highest() << "]\n";
+  out << "p              " << t.shift << "; f^k_j belongs to (j + p)/" << m << "^k\n";
+  out << "normalisation  " << t.normalisation << "\n";
+  out << "precision      " << (t.digits > 0 ? std::to_string(t.digits) + " significant digits" : "correctly rounded doubles")
+      << ", error at most " << t.precision_error << "\n";
+  out << "tail           |a^{[k]}_i - a_i| <= " << t.tail_bound << " for all k >= " << t.tail_from << "\n";
+
+  std::size_t before = 1;  // characters before the point
+  const auto head = [](const std::string& s) { return std::min(s.find_first_of(".e"), s.size()); };
+  const auto widen = [&](const kernels::MaskRow& row) {
+    for (const auto& s : row.text) before = std::max(before, head(s));
+  };
+  for (const auto& row : t.levels) widen(row);
+  widen(t.limit);
+  const auto right = [](const std::string& s, std::size_t width) { return std::string(width - std::min(width, s.size()), ' ') + s; };
+  const auto print = [&](const std::string& k, const kernels::MaskRow& row) {
+    out << "\n";
+    for (std::size_t s = 0; s < row.text.size(); ++s)
+      out << right(k, 7) << right(std::to_string(row.lowest + static_cast<long>(s)), 6) << "  "
+          << std::string(before - head(row.text[s]), ' ') << row.text[s] << "\n";
+  };
+  out << "\n" << right("k", 7) << right("i", 6) << "  a_i\n";
+  for (std::size_t k = 0; k < t.levels.size(); ++k) print(std::to_string(k), t.levels[k]);
+  print("limit", t.limit);
+  return out.str();
+}
+
+int run(const Options& o, const Common& common) {
+  const Scheme s = make_scheme(o.scheme);
+  const lowering::Binding b = lowering::bind(s, o.values.v0, o.values.t, o.values.named());
+  lowering::LowerOptions options;
+  options.levels = o.levels;
+  options.digits = o.doubles ? 0 : o.digits;
+  const kernels::MaskTable t = lowering::lower(s, b, options);
+  if (common.format == "text") {
+    deliver(common, table_text(t));
+  } else {
+    kernels::TableOptions writer;
+    writer.hex_float = o.hex;
+    writer.prefix = o.prefix;
+    kernels::write_file(common.output, kernels::write_table(t, common.format, writer));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_table_command(CLI::App& app, Session& session) {
+  auto o = std::make_shared<Options>();
+  std::vector<std::string> formats{"text"};
+  for (const kernels::TableWriter* w : kernels::table_writers()) formats.emplace_back(w->name());
+  CLI::App* c = add_command(app, session, "table", "tabulate the masks of the first levels and the limit", formats);
+  c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
+  add_values(c, o->values);
+  c->add_option("--levels", o->levels, "number K of levels: rows k = 0..K-1")->required()->check(CLI::Range(1, 4096))->type_name("K");
+  CLI::Option* digits =
+      c->add_option("--digits", o->digits, "significant digits, all correct; 17 by default")->check(CLI::Range(17, 10000))->type_name("D");
+  c->add_flag("--double", o->doubles, "correctly rounded doubles, shortest texts")->excludes(digits);
+  c->add_flag("--hex", o->hex, "C and C++: hexadecimal floating-point literals");
+  c->add_option("--prefix", o->prefix, "C and C++: prefix or namespace of all names")->type_name("NAME");
+  c->callback([&session, o] { session.action = [&session, o] { return run(*o, session.common); }; });
+}
+
+}  // namespace twoscale::cli
