@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a space of dimension 2l to the exact symbol zeta, in process and without printing, by every route that there is;
+// and what GiNaC's own solver takes for the linear system alone. The label of a run is its space.
+#include <benchmark/benchmark.h>
+#include <ginac/ginac.h>
+
+#include "spaces.hpp"
+#include "twoscale/symbolic/expression.hpp"
+#include "twoscale/symbolic/interpolatory.hpp"
+#include "twoscale/symbolic/symbol.hpp"
+
+namespace twoscale::bench {
+namespace {
+
+// job(space) again and again.
+template <class Job>
+void over_space(benchmark::State& state, const char* name, Job job) {
+  const Space s = space(name, static_cast<unsigned>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(job(s));
+  state.SetLabel(s.to_string());
+}
+
+// What `twoscale derive` and every recipe call.
+void derive(benchmark::State& state, const char* name) { over_space(state, name, interpolating_symbol); }
+
+// The engine for any space, where `derive` has a closed form.
+void generic(benchmark::State& state, const char* name) {
+  over_space(state, name, interpolating_symbol_by_divided_differences);
+}
+
+// The Newton-basis system, its solution, and zeta = sigma omega.
+void hessenberg(benchmark::State& state, const char* name) {
+  over_space(state, name, [](const Space& s) { return bspline_symbol(s) * hessenberg_system(s).omega; });
+}
+
+// The folded l x l system by fraction-free elimination, and zeta = sigma omega.
+void folded(benchmark::State& state, const char* name) {
+  over_space(state, name, [](const Space& s) { return bspline_symbol(s) * omega_from_folded(folded_system(s)); });
+}
+
+// GiNaC's lsolve and normal() on the folded system; setting it up is not counted.
+void ginac(benchmark::State& state, const char* name) {
+  const Space s = space(name, static_cast<unsigned>(state.range(0)));
+  const FoldedSystem system = folded_system(s);
+  Symbols symbols;
+  GiNaC::lst equations, unknowns;
+  for (size_t i = 0; i < system.rhs.size(); ++i) unknowns.append(GiNaC::symbol("w" + std::to_string(i)));
+  for (size_t r = 0; r < system.rhs.size(); ++r) {
+    GiNaC::ex sum;
+    for (size_t i = 0; i < system.rhs.size(); ++i) sum += to_ginac(system.matrix[r][i], symbols) * unknowns.op(i);
+    equations.append(sum == to_ginac(system.rhs[r], symbols));
+  }
+  for (auto _ : state) {
+    const GiNaC::ex solved = GiNaC::lsolve(equations, unknowns);
+    for (size_t i = 0; i < solved.nops(); ++i) benchmark::DoNotOptimize(solved.op(i).rhs().normal());
+  }
+  state.SetLabel(s.to_string());
+}
+
+#define TWOSCALE_FAMILIES(job, last)                                                          \
+  BENCHMARK_CAPTURE(job, mixed, "mixed")->ArgName("l")->DenseRange(2, last);                  \
+  BENCHMARK_CAPTURE(job, harmonic, "harmonic")->ArgName("l")->DenseRange(2, last);            \
+  BENCHMARK_CAPTURE(job, resonant, "resonant")->ArgName("l")->DenseRange(2, last)
+#define TWOSCALE_OTHERS(job, one, several)                                                    \
+  BENCHMARK_CAPTURE(job, lacunary, "lacunary")->ArgName("l")->DenseRange(2, one);             \
+  BENCHMARK_CAPTURE(job, multiplicities, "multiplicities")->ArgName("l")->DenseRange(2, one); \
+  BENCHMARK_CAPTURE(job, two-frequencies, "two-frequencies")->ArgName("l")->DenseRange(2, several)
+
+TWOSCALE_FAMILIES(derive, 16);
+TWOSCALE_OTHERS(derive, 16, 8);
+BENCHMARK_CAPTURE(generic, harmonic, "harmonic")->ArgName("l")->DenseRange(2, 16);
+TWOSCALE_FAMILIES(hessenberg, 8);
+TWOSCALE_OTHERS(hessenberg, 8, 5);
+TWOSCALE_FAMILIES(folded, 8);
+TWOSCALE_OTHERS(folded, 8, 5);
+TWOSCALE_FAMILIES(ginac, 6);
+TWOSCALE_OTHERS(ginac, 5, 4);
+
+}  // namespace
+}  // namespace twoscale::bench
