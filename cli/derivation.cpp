@@ -80,10 +80,14 @@ std::string tex_mask(const std::string& name, const Laurent& a) {
 }
 
 std::string tex_meaning(const LevelVariable& v, int arity) {
-  const std::string unit = v.symbol.empty() ? (v.unit == "1" ? "" : v.unit == "pi" ? "\\pi" : v.unit) : latex_name(v.symbol);
-  const std::string factor = v.factor == Rational(1) && !unit.empty() ? "" : RationalFunction(v.factor).to_string(Polynomial::Style::latex);
-  return latex_name(v.name) + " = " + latex_name(v.name) + "^{[k+1]} = \\" + (v.trigonometric ? "cos" : "cosh") + "\\frac{" + factor + unit + "}{" +
-         std::to_string(arity) + "^{k+1}}";
+  const std::string unit = v.symbol.empty() ? (v.unit == "1"    ? ""
+                                               : v.unit == "pi" ? "\\pi"
+                                                                : v.unit)
+                                            : latex_name(v.symbol);
+  const std::string factor =
+      v.factor == Rational(1) && !unit.empty() ? "" : RationalFunction(v.factor).to_string(Polynomial::Style::latex);
+  return latex_name(v.name) + " = " + latex_name(v.name) + "^{[k+1]} = \\" + (v.trigonometric ? "cos" : "cosh") +
+         "\\frac{" + factor + unit + "}{" + std::to_string(arity) + "^{k+1}}";
 }
 
 std::string tex_recurrence(const LevelVariable& v, int arity) {
@@ -175,7 +179,8 @@ Json to_json(const Derivation& d) {
   if (d.space.variables().size() > 1) {
     Json list = Json::array();
     for (const auto& c : d.singular.conditions)
-      list.push_back(Json::object({{"condition", c.pretty()}, {"from", d.interpolating ? "determinant" : "normalisation"}}));
+      list.push_back(
+          Json::object({{"condition", c.pretty()}, {"from", d.interpolating ? "determinant" : "normalisation"}}));
     j["singular"] = list;
   } else {
     Json list = Json::array();
@@ -193,19 +198,21 @@ std::string to_text(const Derivation& d) {
   for (const auto& v : d.space.variables())
     out << "level      " << v.name << " = " << v.meaning(d.arity) << ", " << recurrence(v.name, d.arity) << "\n";
   const Scheme sigma = Scheme::from_symbol("sigma", d.sigma, d.arity, {});
-  out << "\nsigma, approximating, support [" << d.sigma.lowest() << ", " << d.sigma.highest() << "], p = " << sigma.shift.to_string()
-      << ", generates the space\n";
+  out << "\nsigma, approximating, support [" << d.sigma.lowest() << ", " << d.sigma.highest()
+      << "], p = " << sigma.shift.to_string() << ", generates the space\n";
   print_mask(out, "sigma", d.sigma);
   if (d.interpolating) {
     const auto& i = *d.interpolating;
-    out << "\nomega, from the Hessenberg system H w = w_0 e_l in the Newton basis, det H = " << i.system.determinant.to_string() << "\n";
+    out << "\nomega, from the Hessenberg system H w = w_0 e_l in the Newton basis, det H = "
+        << i.system.determinant.to_string() << "\n";
     out << "  nodes ";
     for (const auto& g : i.system.nodes) out << " " << g.pretty();
     out << "\n";
-    for (size_t m = 0; m < i.system.solution.size(); ++m) out << "  w_" << m << " = " << i.system.solution[m].to_string() << "\n";
+    for (size_t m = 0; m < i.system.solution.size(); ++m)
+      out << "  w_" << m << " = " << i.system.solution[m].to_string() << "\n";
     print_mask(out, "omega", i.system.omega);
-    out << "\nzeta = sigma*omega, " << d.space.dimension() << "-point interpolating, support [" << i.zeta.lowest() << ", " << i.zeta.highest()
-        << "], p = 0, reproduces the space\n";
+    out << "\nzeta = sigma*omega, " << d.space.dimension() << "-point interpolating, support [" << i.zeta.lowest()
+        << ", " << i.zeta.highest() << "], p = 0, reproduces the space\n";
     print_mask(out, "zeta", i.zeta);
   } else if (d.arity == 2) {
     out << "\nno interpolating 2l-point scheme: the dimension is odd (sigma is dual)\n";
@@ -225,20 +232,23 @@ std::string to_text(const Derivation& d) {
 
 std::string to_latex(const Derivation& d) {
   std::string s = "% " + d.scheme + "\n";
-  s += "Let $V = \\operatorname{span}\\{" + d.space.to_latex() + "\\}$, $\\dim V = " + std::to_string(d.space.dimension()) + "$";
-  for (const auto& v : d.space.variables()) s += ",\n$" + tex_meaning(v, d.arity) + "$ with $" + tex_recurrence(v, d.arity) + "$";
-  s += ".\nThe approximating scheme with mask\n\\begin{align*}\n" + tex_mask("\\sigma", d.sigma) + "\n\\end{align*}\ngenerates $V$.\n";
+  s += "Let $V = \\operatorname{span}\\{" + d.space.to_latex() +
+       "\\}$, $\\dim V = " + std::to_string(d.space.dimension()) + "$";
+  for (const auto& v : d.space.variables())
+    s += ",\n$" + tex_meaning(v, d.arity) + "$ with $" + tex_recurrence(v, d.arity) + "$";
+  s += ".\nThe approximating scheme with mask\n\\begin{align*}\n" + tex_mask("\\sigma", d.sigma) +
+       "\n\\end{align*}\ngenerates $V$.\n";
   if (d.interpolating) {
     const auto& i = *d.interpolating;
     const size_t l = i.system.nodes.size();
     s += "With $\\gamma = (";
     for (size_t k = 0; k < l; ++k) s += (k == 0 ? "" : ", ") + i.system.nodes[k].pretty(Polynomial::Style::latex);
     s += ")$ and $\\omega(z) = \\sum_{m=0}^{" + std::to_string(l - 1) + "} w_m z^{" + std::to_string(l - 1) +
-         "-m}\\prod_{i<m}(z^2-\\gamma_i z+1)$ the linear system reads\n\\[\n" + tex_matrix(i.system.matrix) + " w = " + tex_column(i.system.rhs) +
-         ",\n\\qquad \\det = " + tex(i.system.determinant) + ",\n\\]\nand is solved by\n\\[\nw = " + tex_column(i.system.solution) +
-         ".\n\\]\nHence\n\\begin{align*}\n" + tex_mask("\\omega", i.system.omega) +
-         "\n\\end{align*}\nand $\\zeta(z) = \\sigma(z)\\omega(z)$ is the " + std::to_string(d.space.dimension()) +
-         "-point interpolating scheme with $\\zeta_0 = 1$,\n\\begin{align*}\n";
+         "-m}\\prod_{i<m}(z^2-\\gamma_i z+1)$ the linear system reads\n\\[\n" + tex_matrix(i.system.matrix) +
+         " w = " + tex_column(i.system.rhs) + ",\n\\qquad \\det = " + tex(i.system.determinant) +
+         ",\n\\]\nand is solved by\n\\[\nw = " + tex_column(i.system.solution) + ".\n\\]\nHence\n\\begin{align*}\n" +
+         tex_mask("\\omega", i.system.omega) + "\n\\end{align*}\nand $\\zeta(z) = \\sigma(z)\\omega(z)$ is the " +
+         std::to_string(d.space.dimension()) + "-point interpolating scheme with $\\zeta_0 = 1$,\n\\begin{align*}\n";
     const Laurent odd = i.zeta - Laurent::monomial(0);
     s += tex_mask("\\zeta", odd) + "\n\\end{align*}\n";
     if (!d.singular.values.empty()) {
@@ -271,10 +281,13 @@ std::string to_markdown(const Derivation& d) {
   std::ostringstream out;
   out << "# " << d.scheme << "\n\n";
   out << "Space: `" << d.space.to_string() << "`, dimension " << d.space.dimension() << ".\n\n";
-  for (const auto& v : d.space.variables()) out << "Level variable: `" << v.name << " = " << v.meaning(d.arity) << "`, `" << recurrence(v.name, d.arity) << "`.\n\n";
+  for (const auto& v : d.space.variables())
+    out << "Level variable: `" << v.name << " = " << v.meaning(d.arity) << "`, `" << recurrence(v.name, d.arity)
+        << "`.\n\n";
   const auto table = [&](const std::string& name, const Laurent& a) {
     out << "| i | " << name << "_i |\n|---|---|\n";
-    for (long i = a.lowest(); i <= a.highest(); ++i) out << "| " << i << " | `" << a.coefficient(i).to_string() << "` |\n";
+    for (long i = a.lowest(); i <= a.highest(); ++i)
+      out << "| " << i << " | `" << a.coefficient(i).to_string() << "` |\n";
     out << "\n";
   };
   out << "## Approximating scheme sigma\n\n";

@@ -13,7 +13,7 @@
 namespace twoscale::cli {
 
 struct Derivation {
-  std::string scheme;      // name of what was derived
+  std::string scheme;  // name of what was derived
   Space space;
   int arity = 2;
   Laurent sigma;

@@ -34,7 +34,8 @@ void add_derive_command(CLI::App& app, Session& session) {
       } else {
         space = Space::parse(o->space);
         const bool interpolating = arity == 2 && space.dimension() % 2 == 0;
-        name = SchemeName{interpolating ? "interpolating" : "exponential-bspline", {{"space", space.to_string()}}}.to_string();
+        name = SchemeName{interpolating ? "interpolating" : "exponential-bspline", {{"space", space.to_string()}}}
+                   .to_string();
         if (arity != 2) name += ",arity=" + std::to_string(arity);
       }
       const Derivation d = derive(space, arity, name);

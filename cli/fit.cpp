@@ -29,7 +29,9 @@ std::string fit_json(const std::string& scheme, const Fit& f, const std::string&
   j["format"] = "twoscale/fit";
   j["version"] = 1;
   j["scheme"] = scheme;
-  const auto text = [](const std::string& s) { return s.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(s); };
+  const auto text = [](const std::string& s) {
+    return s.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(s);
+  };
   const bool found = f.outcome == Fit::Outcome::found;
   j["v0"] = found ? text(f.v0) : text("");
   j["t"] = found ? text(f.t) : text("");
@@ -47,13 +49,12 @@ std::string fit_text(const Fit& f, const std::string& tolerance) {
   switch (f.outcome) {
     case Fit::Outcome::found:
       return "v0 = " + f.v0 + "\nt = " + f.t + "\nspread = " + f.spread + " (tolerance " + tolerance + ")\n";
-    case Fit::Outcome::any:
-      return "v0: any (the data do not depend on the frequency)\n";
-    case Fit::Outcome::none:
-      break;
+    case Fit::Outcome::any: return "v0: any (the data do not depend on the frequency)\n";
+    case Fit::Outcome::none: break;
   }
   if (f.v0.empty()) return "no fit: no v0 > -1 comes near the data\n";
-  return "no fit: v0 = " + f.v0 + " comes nearest, its spread " + f.spread + " is above the tolerance " + tolerance + "\n";
+  return "no fit: v0 = " + f.v0 + " comes nearest, its spread " + f.spread + " is above the tolerance " + tolerance +
+         "\n";
 }
 
 int run(const Options& o, const Common& common) {

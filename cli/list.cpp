@@ -17,7 +17,8 @@ std::string catalog_text() {
     out << e.id << "  " << e.summary;
     if (!e.source.empty()) out << " [" << e.source << "]";
     out << "\n";
-    for (const auto& k : e.keys) out << "    " << k.name << "=  " << k.help << (k.required ? " (required)" : "") << "\n";
+    for (const auto& k : e.keys)
+      out << "    " << k.name << "=  " << k.help << (k.required ? " (required)" : "") << "\n";
     out << "    e.g. " << e.examples.front() << "\n";
   }
   return out.str();
@@ -32,7 +33,8 @@ std::string catalog_json() {
   Json entries = Json::array();
   for (const auto& e : catalog()) {
     Json keys = Json::array();
-    for (const auto& k : e.keys) keys.push_back(Json::object({{"name", k.name}, {"help", k.help}, {"required", k.required}}));
+    for (const auto& k : e.keys)
+      keys.push_back(Json::object({{"name", k.name}, {"help", k.help}, {"required", k.required}}));
     entries.push_back(Json::object(
         {{"id", e.id}, {"summary", e.summary}, {"source", e.source}, {"keys", keys}, {"examples", e.examples}}));
   }

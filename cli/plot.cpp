@@ -55,7 +55,9 @@ Data read_data(const Options& o) {
 // The coordinates drawn: the first two columns, or three when there are.
 std::size_t coordinates(const PointSet& points, bool plane_only, const Options& o) {
   if (points.dim < 2 || (plane_only && points.dim != 2) || points.dim > 3)
-    bad_input("plot " + o.kind + ": points need " + (plane_only ? "two" : "two or three") + " columns, not " + std::to_string(points.dim), o.input);
+    bad_input("plot " + o.kind + ": points need " + (plane_only ? "two" : "two or three") + " columns, not " +
+                  std::to_string(points.dim),
+              o.input);
   return points.dim;
 }
 
@@ -89,7 +91,8 @@ Line curve_line(const Refined& r, const Data& d, std::string title, int colour) 
 
 Picture basic(const Scheme& s, const Options& o) {
   if (!o.input.empty()) bad_input("plot basic takes no points", o.input);
-  if (std::pow(s.arity, o.levels) > most_points / 100) bad_input("--levels: too many points for a picture", std::to_string(o.levels));
+  if (std::pow(s.arity, o.levels) > most_points / 100)
+    bad_input("--levels: too many points for a picture", std::to_string(o.levels));
   Picture p;
   p.equal_axes = false;
   p.title = s.id;
@@ -112,7 +115,8 @@ Picture curve(const Scheme& s, const Options& o) {
 
 Picture sweep(const Scheme& s, const Options& o) {
   if (o.values.empty()) bad_input("plot sweep: give the values of v0 by --values", s.id);
-  if (o.at.v0 || o.at.t) bad_input("plot sweep: values of v0 come from --values, not from --v0 or --t", o.at.v0 ? *o.at.v0 : *o.at.t);
+  if (o.at.v0 || o.at.t)
+    bad_input("plot sweep: values of v0 come from --values, not from --v0 or --t", o.at.v0 ? *o.at.v0 : *o.at.t);
   std::string list = trimmed(o.values);
   if (list.size() >= 2 && list.front() == '[' && list.back() == ']') list = list.substr(1, list.size() - 2);
   const auto values = split_list(list);
@@ -123,7 +127,9 @@ Picture sweep(const Scheme& s, const Options& o) {
   p.title = s.id;
   p.lines.push_back(polygon(s, d));
   int colour = 0;
-  for (const auto& v0 : values) p.lines.push_back(curve_line(refine(s, lowering::bind(s, v0, std::nullopt, o.at.named()), d, o), d, "v⁰ = " + v0, colour++));
+  for (const auto& v0 : values)
+    p.lines.push_back(
+        curve_line(refine(s, lowering::bind(s, v0, std::nullopt, o.at.named()), d, o), d, "v⁰ = " + v0, colour++));
   return p;
 }
 
@@ -146,7 +152,7 @@ Picture comb(const Scheme& s, const Options& o) {
   teeth.colour = tips.colour = 1;
   teeth.title = "curvature";
   const std::size_t n = r.size();
-  const std::size_t stride = std::max<std::size_t>(1, n / 400);
+  const std::size_t stride = std::max<std::size_t>(1, n / 160);
   for (std::size_t j = 0; j < n; j += stride) {
     if (!std::isfinite(k[j])) continue;
     const std::size_t a = (j + n - 1) % n, b = (j + 1) % n;
@@ -197,9 +203,10 @@ Picture picture(const Options& o) {
 
 reports::ImageFormat format_of(const Common& common) {
   const std::string given = common.format == "text" ? "" : common.format;
-  if (common.output == "-") return reports::image_format(given.empty() ? "-" : "." + given);
+  if (common.output == "-") return reports::image_format(given.empty() ? "-" : "x." + given);
   const auto format = reports::image_format(common.output);
-  if (!given.empty() && reports::image_format("x." + given) != format) bad_input("--format " + given + " does not fit the file", common.output);
+  if (!given.empty() && reports::image_format("x." + given) != format)
+    bad_input("--format " + given + " does not fit the file", common.output);
   return format;
 }
 
@@ -207,16 +214,20 @@ reports::ImageFormat format_of(const Common& common) {
 
 void add_plot_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();
-  CLI::App* c = add_command(app, session, "plot", "draw basic limit functions, curves, tension sweeps, curvature", {"svg", "pdf", "png"});
+  CLI::App* c = add_command(app, session, "plot", "draw basic limit functions, curves, tension sweeps, curvature",
+                            {"svg", "pdf", "png"});
   c->add_option("kind", o->kind, "basic, curve, sweep, comb or curvature")
       ->required()
       ->type_name("KIND")
       ->check(CLI::IsMember({"basic", "curve", "sweep", "comb", "curvature", "spectrum"}));
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
-  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input; not for basic")->type_name("IN");
+  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input; not for basic")
+      ->type_name("IN");
   add_values(c, o->at);
   c->add_option("--values", o->values, "sweep: values of v0, \"v1,v2,...\"")->type_name("LIST");
-  c->add_option("--levels", o->levels, "refinement steps, 6 by default")->check(CLI::Range(0, most_levels))->type_name("K");
+  c->add_option("--levels", o->levels, "refinement steps, 6 by default")
+      ->check(CLI::Range(0, most_levels))
+      ->type_name("K");
   CLI::Option* closed = c->add_flag("--closed", o->closed, "closed polygon (default)");
   c->add_option("--open", o->open, "open polygon: given, linear or space")->type_name("RULE")->excludes(closed);
   c->callback([&session, o] {

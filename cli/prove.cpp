@@ -24,7 +24,8 @@ Claim parse_claim(const std::string& text) {
   Claim c;
   c.name = trimmed(text.substr(0, equals));
   if (equals != std::string::npos) c.subject = trimmed(text.substr(equals + 1));
-  if (c.subject.size() >= 2 && c.subject.front() == '"' && c.subject.back() == '"') c.subject = c.subject.substr(1, c.subject.size() - 2);
+  if (c.subject.size() >= 2 && c.subject.front() == '"' && c.subject.back() == '"')
+    c.subject = c.subject.substr(1, c.subject.size() - 2);
   return c;
 }
 
@@ -37,7 +38,8 @@ std::string prove_text(const Scheme& s, const analysis::Proof& proof, const std:
     out << "\n";
     if (d.verdict == Verdict::proved) out << "             for " << d.domain << "\n";
     for (const auto& e : d.exceptions) out << "             except " << e << "\n";
-    if (!d.witness.empty()) out << "             " << (d.verdict == Verdict::refuted ? "counterexample: " : "reason: ") << d.witness << "\n";
+    if (!d.witness.empty())
+      out << "             " << (d.verdict == Verdict::refuted ? "counterexample: " : "reason: ") << d.witness << "\n";
   }
   if (!certificate.empty()) out << "certificate " << certificate << " (verify with twoscale-check)\n";
   return out.str();
@@ -86,7 +88,8 @@ void add_prove_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();
   CLI::App* c = add_command(app, session, "prove", "decide claims about a scheme exactly and write the certificate");
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
-  c->add_option("--claim", o->claims, "NAME or NAME=SUBJECT, e.g. reproduces=\"1,x,exp(t*x),exp(-t*x)\"; may be repeated")
+  c->add_option("--claim", o->claims,
+                "NAME or NAME=SUBJECT, e.g. reproduces=\"1,x,exp(t*x),exp(-t*x)\"; may be repeated")
       ->type_name("CLAIM")
       ->take_all()
       ->allow_extra_args(false);
@@ -100,7 +103,8 @@ void add_prove_command(CLI::App& app, Session& session) {
       const analysis::Proof proof = analysis::prove(s, claims);
       const std::string file = proof.certificate.empty() ? "" : o->certificate;
       if (!file.empty()) kernels::write_file(file, proof.certificate);
-      deliver(session.common, session.common.format == "json" ? prove_json(s, proof, file) : prove_text(s, proof, file));
+      deliver(session.common,
+              session.common.format == "json" ? prove_json(s, proof, file) : prove_text(s, proof, file));
       return status(proof);
     };
   });

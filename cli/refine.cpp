@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// twoscale refine SCHEME [--v0 E] --levels K [--closed|--open=given|linear|space] [--digits D] IN -o OUT: refines points.
+// twoscale refine SCHEME [--v0 E] --levels K [--closed|--open=given|linear|space] [--digits D] IN -o OUT: refines
+// points.
 #include "session.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
@@ -45,15 +46,21 @@ int run(const Options& o, const Common& common) {
 
 void add_refine_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();
-  CLI::App* c = add_command(app, session, "refine", "refine points; formats by the suffixes of IN (csv, npy, obj) and of the output file",
+  CLI::App* c = add_command(app, session, "refine",
+                            "refine points; formats by the suffixes of IN (csv, npy, obj) and of the output file",
                             {"text", "csv", "npy", "obj", "ply", "svg"});
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
   c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input")->required()->type_name("IN");
   add_values(c, o->values);
-  c->add_option("--levels", o->levels, "number K of refinement steps")->required()->check(CLI::Range(0, 64))->type_name("K");
+  c->add_option("--levels", o->levels, "number K of refinement steps")
+      ->required()
+      ->check(CLI::Range(0, 64))
+      ->type_name("K");
   CLI::Option* closed = c->add_flag("--closed", o->closed, "closed polygon (default)");
   c->add_option("--open", o->open, "open polygon: given, linear or space")->type_name("RULE")->excludes(closed);
-  c->add_option("--digits", o->digits, "significant digits, all correct; without it, doubles")->check(CLI::Range(17, 10000))->type_name("D");
+  c->add_option("--digits", o->digits, "significant digits, all correct; without it, doubles")
+      ->check(CLI::Range(17, 10000))
+      ->type_name("D");
   c->callback([&session, o] { session.action = [&session, o] { return run(*o, session.common); }; });
 }
 

@@ -41,8 +41,8 @@ std::string summary_json(const std::string& subject, const romani2009::Summary& 
 
 std::string summary_text(const romani2009::Summary& s) {
   std::ostringstream out;
-  out << s.index << ": " << s.pictures << " pictures, " << s.exact_runs << " exact curves with a largest deviation of " << s.largest_exact_deviation
-      << ", certificates " << (s.all_certificates_valid ? "valid" : "NOT valid") << "\n";
+  out << s.index << ": " << s.pictures << " pictures, " << s.exact_runs << " exact curves with a largest deviation of "
+      << s.largest_exact_deviation << ", certificates " << (s.all_certificates_valid ? "valid" : "NOT valid") << "\n";
   return out.str();
 }
 
@@ -50,7 +50,8 @@ std::string summary_text(const romani2009::Summary& s) {
 
 void add_report_command(CLI::App& app, Session& session) {
   auto subject = std::make_shared<std::string>();
-  CLI::App* c = add_command(app, session, "report", "write an HTML report with formulas, proofs and figures into the directory -o DIR");
+  CLI::App* c = add_command(app, session, "report",
+                            "write an HTML report with formulas, proofs and figures into the directory -o DIR");
   c->add_option("subject", *subject, "romani2009")->required()->type_name("PAPER");
   c->callback([&session, subject] {
     session.action = [&session, subject] {
@@ -63,7 +64,8 @@ void add_report_command(CLI::App& app, Session& session) {
         options.progress = [](const std::string& step) { std::cerr << "\r\033[K" << step << std::flush; };
       const romani2009::Summary s = romani2009::write_report(common.output, options);
       if (options.progress) std::cerr << "\r\033[K" << std::flush;
-      if (!common.quiet || common.format == "json") std::cout << (common.format == "json" ? summary_json(*subject, s) : summary_text(s));
+      if (!common.quiet || common.format == "json")
+        std::cout << (common.format == "json" ? summary_json(*subject, s) : summary_text(s));
       return s.all_certificates_valid ? 0 : 1;
     };
   });

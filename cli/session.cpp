@@ -34,14 +34,18 @@ CLI::App* add_command(CLI::App& app, Session& session, const std::string& name, 
 }
 
 void add_values(CLI::App* command, Values& values) {
-  const auto assign = [](std::optional<std::string>& to) {
-    return [&to](const std::string& text) { to = text; };
-  };
-  command->add_option_function<std::string>("--v0", assign(values.v0), "start value v^0 of the level variable, an expression > -1")
+  const auto assign = [](std::optional<std::string>& to) { return [&to](const std::string& text) { to = text; }; };
+  command
+      ->add_option_function<std::string>("--v0", assign(values.v0),
+                                         "start value v^0 of the level variable, an expression > -1")
       ->type_name("E");
-  command->add_option_function<std::string>("--t", assign(values.t), "frequency t instead: v^0 = cosh(t), or cos for cosines")
+  command
+      ->add_option_function<std::string>("--t", assign(values.t),
+                                         "frequency t instead: v^0 = cosh(t), or cos for cosines")
       ->type_name("E");
-  command->add_option("--at", values.at, "values of named parameters, NAME=VALUE,...")->type_name("NAME=VALUE")->take_all();
+  command->add_option("--at", values.at, "values of named parameters, NAME=VALUE,...")
+      ->type_name("NAME=VALUE")
+      ->take_all();
 }
 
 void deliver(const Common& common, std::string text) {

@@ -45,7 +45,8 @@ std::string show_text(const Scheme& s) {
   out << "arity      " << s.arity << "\n";
   for (const auto& p : s.parameters)
     if (p.frequency)
-      out << "level      " << p.name << " = " << p.frequency->meaning(s.arity) << ", " << recurrence(p.name, s.arity) << "\n";
+      out << "level      " << p.name << " = " << p.frequency->meaning(s.arity) << ", " << recurrence(p.name, s.arity)
+          << "\n";
     else
       out << "parameter  " << p.name << "\n";
   out << "support    [" << a.lowest() << ", " << a.highest() << "], p = " << s.shift.to_string() << "\n";

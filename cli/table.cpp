@@ -38,7 +38,8 @@ std::string table_text(const kernels::MaskTable& t) {
   out << "support        [" << t.limit.lowest << ", " << t.limit.highest() << "]\n";
   out << "p              " << t.shift << "; f^k_j belongs to (j + p)/" << m << "^k\n";
   out << "normalisation  " << t.normalisation << "\n";
-  out << "precision      " << (t.digits > 0 ? std::to_string(t.digits) + " significant digits" : "correctly rounded doubles")
+  out << "precision      "
+      << (t.digits > 0 ? std::to_string(t.digits) + " significant digits" : "correctly rounded doubles")
       << ", error at most " << t.precision_error << "\n";
   out << "tail           |a^{[k]}_i - a_i| <= " << t.tail_bound << " for all k >= " << t.tail_from << "\n";
 
@@ -49,7 +50,9 @@ std::string table_text(const kernels::MaskTable& t) {
   };
   for (const auto& row : t.levels) widen(row);
   widen(t.limit);
-  const auto right = [](const std::string& s, std::size_t width) { return std::string(width - std::min(width, s.size()), ' ') + s; };
+  const auto right = [](const std::string& s, std::size_t width) {
+    return std::string(width - std::min(width, s.size()), ' ') + s;
+  };
   const auto print = [&](const std::string& k, const kernels::MaskRow& row) {
     out << "\n";
     for (std::size_t s = 0; s < row.text.size(); ++s)
@@ -89,9 +92,13 @@ void add_table_command(CLI::App& app, Session& session) {
   CLI::App* c = add_command(app, session, "table", "tabulate the masks of the first levels and the limit", formats);
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
   add_values(c, o->values);
-  c->add_option("--levels", o->levels, "number K of levels: rows k = 0..K-1")->required()->check(CLI::Range(1, 4096))->type_name("K");
-  CLI::Option* digits =
-      c->add_option("--digits", o->digits, "significant digits, all correct; 17 by default")->check(CLI::Range(17, 10000))->type_name("D");
+  c->add_option("--levels", o->levels, "number K of levels: rows k = 0..K-1")
+      ->required()
+      ->check(CLI::Range(1, 4096))
+      ->type_name("K");
+  CLI::Option* digits = c->add_option("--digits", o->digits, "significant digits, all correct; 17 by default")
+                            ->check(CLI::Range(17, 10000))
+                            ->type_name("D");
   c->add_flag("--double", o->doubles, "correctly rounded doubles, shortest texts")->excludes(digits);
   c->add_flag("--hex", o->hex, "C and C++: hexadecimal floating-point literals");
   c->add_option("--prefix", o->prefix, "C and C++: prefix or namespace of all names")->type_name("NAME");

@@ -7,10 +7,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '%s\n' "$*" >&2; }
 
-# require_packages PURPOSE…: the packages of packages.txt with these purposes are installed, or the script ends with status 2.
+# require_packages PURPOSE…: the packages of packages*.txt with these purposes are installed, or the script ends with status 2.
 require_packages() {
   local wanted missing=() package as_root=()
-  wanted=$(awk -v purposes=" $* " '!/^#/ && NF == 2 && index(purposes, " " $2 " ") { print $1 }' "$root/scripts/packages.txt")
+  wanted=$(awk -v purposes=" $* " '!/^#/ && NF == 2 && index(purposes, " " $2 " ") { print $1 }' "$root"/scripts/packages*.txt)
   if ! command -v dpkg-query >/dev/null; then
     for package in g++ cmake ninja; do
       command -v "$package" >/dev/null && continue

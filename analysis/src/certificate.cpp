@@ -19,7 +19,8 @@ std::string fnv1a64(const std::string& text) {
 
 }  // namespace
 
-std::string certificate_text(const Scheme& scheme, const MaskData& mask, const std::vector<nlohmann::ordered_json>& claims) {
+std::string certificate_text(const Scheme& scheme, const MaskData& mask,
+                             const std::vector<nlohmann::ordered_json>& claims) {
   using Json = nlohmann::ordered_json;
   Json doc;
   doc["format"] = "twoscale/certificate";
@@ -36,7 +37,8 @@ std::string certificate_text(const Scheme& scheme, const MaskData& mask, const s
   doc["shift"] = scheme.shift.to_string();
   std::vector<std::string> numerators;
   for (const auto& n : mask.numerators) numerators.push_back(n.to_string());
-  doc["mask"] = Json::object({{"lowest", mask.lowest}, {"numerators", numerators}, {"denominator", mask.denominator.to_string()}});
+  doc["mask"] = Json::object(
+      {{"lowest", mask.lowest}, {"numerators", numerators}, {"denominator", mask.denominator.to_string()}});
   doc["claims"] = claims;
   doc["digest"] = "";
   const std::string digest = fnv1a64(doc.dump(1) + "\n");

@@ -107,14 +107,17 @@ class Mask {
       terms.push_back({adapt(numerator(i)) * integer_polynomial(weight), -f.multiple * i * stretch});
     }
     if (r == 0)
-      terms.push_back({-adapt(denominator()), f.multiple == 0 ? 0 : -f.multiple * (exponent_ * Rational(stretch)).to_long()});
+      terms.push_back(
+          {-adapt(denominator()), f.multiple == 0 ? 0 : -f.multiple * (exponent_ * Rational(stretch)).to_long()});
     return exponential_sum(terms, second_kind_[f.variable]);
   }
 
   std::vector<Point> points() const {
     // Corner-free rationals: away from v = 1 (E = 1) and from each other.
-    static const std::vector<Rational> y = {Rational(2), Rational(3), Rational(3, 2), Rational(5, 2), Rational(5), Rational(7, 3)};
-    static const std::vector<Rational> c = {Rational(1, 3), Rational(2), Rational(-1, 5), Rational(3, 7), Rational(0), Rational(1)};
+    static const std::vector<Rational> y = {Rational(2),    Rational(3), Rational(3, 2),
+                                            Rational(5, 2), Rational(5), Rational(7, 3)};
+    static const std::vector<Rational> c = {Rational(1, 3), Rational(2), Rational(-1, 5),
+                                            Rational(3, 7), Rational(0), Rational(1)};
     std::vector<Point> list;
     for (size_t k = 0; k < y.size(); ++k) {
       Point p;
@@ -195,7 +198,8 @@ class Mask {
   std::vector<SecondKind> second_kind_;
 };
 
-// --- spaces -------------------------------------------------------------------------------------------------------------
+// --- spaces
+// -------------------------------------------------------------------------------------------------------------
 
 // One representative of each pair +-theta: the condition for -theta is that for theta under E -> 1/E, which fixes v.
 std::vector<Frequency> half_frequencies(const Space& space, const Mask& mask) {
@@ -240,10 +244,12 @@ std::string function_text(const Mask& mask, const Frequency& f, unsigned r) {
   if (f.multiple == 0) return r == 0 ? "1" : x;
   LevelVariable v = mask.data().levels[f.variable];
   v.factor *= Rational(f.multiple);
-  return (r == 0 ? "" : x + "*") + "exp(" + (v.trigonometric ? "I*" : "") + (v.frequency() == "1" ? "x" : v.frequency() + "*x") + ")";
+  return (r == 0 ? "" : x + "*") + "exp(" + (v.trigonometric ? "I*" : "") +
+         (v.frequency() == "1" ? "x" : v.frequency() + "*x") + ")";
 }
 
-// --- zeros on the domain --------------------------------------------------------------------------------------------------
+// --- zeros on the domain
+// --------------------------------------------------------------------------------------------------
 
 unsigned totient(unsigned n) {
   unsigned r = n;
@@ -273,7 +279,8 @@ void add_zeros(const Polynomial& f, long m, long h, Zeros& zeros) {
       unsigned level = 0;
       for (long s = step; s > m; s /= m) ++level;
       for (long j = 1; 2 * h * step * j < static_cast<long>(d); ++j)
-        if (std::gcd(j, static_cast<long>(d)) == 1) zeros.values.emplace(Rational(2 * h * step * j, static_cast<long>(d)), level);
+        if (std::gcd(j, static_cast<long>(d)) == 1)
+          zeros.values.emplace(Rational(2 * h * step * j, static_cast<long>(d)), level);
     }
     return;
   }
@@ -311,7 +318,8 @@ struct Exceptions {
       std::vector<unsigned> levels;
       for (auto j = first; j != it; ++j) levels.push_back(j->second);
       std::sort(levels.begin(), levels.end());
-      for (const unsigned level : levels) a.push_back(Json::object({{"level", level}, {"angle", first->first.to_string()}}));
+      for (const unsigned level : levels)
+        a.push_back(Json::object({{"level", level}, {"angle", first->first.to_string()}}));
     }
     return a;
   }
@@ -328,7 +336,8 @@ struct Exceptions {
   }
 };
 
-// --- claims -------------------------------------------------------------------------------------------------------------
+// --- claims
+// -------------------------------------------------------------------------------------------------------------
 
 struct Failure {
   Frequency frequency;
@@ -358,8 +367,9 @@ std::optional<Failure> reproduction_failure(Mask& mask, const std::vector<Freque
 }
 
 // Orders up to which each frequency is reproduced (generated): its part of the space.
-std::vector<Frequency> largest_part(Mask& mask, const std::vector<Frequency>& half,
-                                    const std::function<std::optional<Failure>(Mask&, const std::vector<Frequency>&)>& failure) {
+std::vector<Frequency> largest_part(
+    Mask& mask, const std::vector<Frequency>& half,
+    const std::function<std::optional<Failure>(Mask&, const std::vector<Frequency>&)>& failure) {
   std::vector<Frequency> part;
   for (Frequency f : half) {
     const auto bad = failure(mask, {f});
@@ -370,8 +380,8 @@ std::vector<Frequency> largest_part(Mask& mask, const std::vector<Frequency>& ha
 }
 
 struct SumRules {
-  unsigned order = 0;    // largest N with sum_{i = s} i^r N_i independent of s for r < N
-  Polynomial obstacle;   // what must vanish for order N + 1: the gcd of the differences at r = N
+  unsigned order = 0;   // largest N with sum_{i = s} i^r N_i independent of s for r < N
+  Polynomial obstacle;  // what must vanish for order N + 1: the gcd of the differences at r = N
 };
 
 SumRules sum_rules_of(const Mask& mask, const std::function<Polynomial(const Polynomial&)>& view) {
@@ -385,7 +395,8 @@ SumRules sum_rules_of(const Mask& mask, const std::function<Polynomial(const Pol
   for (unsigned r = 0;; ++r) {
     std::vector<Polynomial> sums(static_cast<size_t>(mask.arity()));
     for (long i = mask.lowest(); i <= mask.highest(); ++i)
-      sums[static_cast<size_t>(mask.mod(i))] += n[static_cast<size_t>(i - mask.lowest())] * integer_polynomial(Rational(i).pow(r));
+      sums[static_cast<size_t>(mask.mod(i))] +=
+          n[static_cast<size_t>(i - mask.lowest())] * integer_polynomial(Rational(i).pow(r));
     Polynomial obstacle;
     for (const auto& x : sums) obstacle = Polynomial::gcd(obstacle, x - sums[0]);
     if (!obstacle.is_zero()) return {r, obstacle};
@@ -393,7 +404,8 @@ SumRules sum_rules_of(const Mask& mask, const std::function<Polynomial(const Pol
 }
 
 std::string every_level(const Mask& mask) {
-  if (mask.data().levels.empty()) return mask.data().constants.empty() ? "stationary: all levels" : "all levels, identically in the parameters";
+  if (mask.data().levels.empty())
+    return mask.data().constants.empty() ? "stationary: all levels" : "all levels, identically in the parameters";
   std::string names;
   if (mask.data().levels.size() == 1) return "all levels k >= 0, all v0 > -1 for which the mask is defined";
   for (const auto& v : mask.data().levels) names += (names.empty() ? "" : ", ") + std::string("v0 of ") + v.name;
@@ -434,9 +446,11 @@ class Prover {
         const Rational y = mask_.coefficient(j, at);
         if (x == y) continue;
         d.verdict = Verdict::refuted;
-        d.witness = place(at) + "a_" + std::to_string(i) + " = " + x.to_string() + " but a_" + std::to_string(j) + " = " + y.to_string();
+        d.witness = place(at) + "a_" + std::to_string(i) + " = " + x.to_string() + " but a_" + std::to_string(j) +
+                    " = " + y.to_string();
         d.evidence = entry(d.claim, d.verdict);
-        d.evidence["witness"] = Json::object({{"at", at.json()}, {"index", i}, {"value", x.to_string()}, {"mirror", y.to_string()}});
+        d.evidence["witness"] =
+            Json::object({{"at", at.json()}, {"index", i}, {"value", x.to_string()}, {"mirror", y.to_string()}});
         d.evidence["theorem"] = "definition";
         return d;
       }
@@ -452,7 +466,8 @@ class Prover {
     unsigned order = largest;
     if (!subject.empty()) {
       const Rational n = Rational::parse(subject);
-      if (!n.is_integer() || n.sign() < 0 || n > Rational(512)) bad_input("sum-rules: the order must be an integer from 0 to 512", subject);
+      if (!n.is_integer() || n.sign() < 0 || n > Rational(512))
+        bad_input("sum-rules: the order must be an integer from 0 to 512", subject);
       order = static_cast<unsigned>(n.to_long());
     }
     Decision d = start("sum-rules", std::to_string(order));
@@ -570,7 +585,8 @@ class Prover {
         others.insert(others.end(), own.begin(), own.end());
       }
       for (const auto& o : others)
-        if (std::none_of(larger.begin(), larger.end(), [&](const auto& f) { return same_frequency(f, o); })) larger.push_back(o);
+        if (std::none_of(larger.begin(), larger.end(), [&](const auto& f) { return same_frequency(f, o); }))
+          larger.push_back(o);
       larger = largest_part(mask_, larger, generation_failure);
       if (dimension(larger) > n) {
         std::string more;
@@ -598,8 +614,11 @@ class Prover {
     const auto reproduced = largest_part(mask_, half, reproduction_failure);
     std::string w;
     for (const auto& f : reproduced)
-      for (unsigned r = 0; r < f.order; ++r) w += (w.empty() ? "" : ", ") + function_text(mask_, f, r) + (f.multiple == 0 ? "" : " (+-)");
-    d.domain += "; of it are reproduced: " + (w.empty() ? std::string("none") : dimension(reproduced) == n ? std::string("all") : w);
+      for (unsigned r = 0; r < f.order; ++r)
+        w += (w.empty() ? "" : ", ") + function_text(mask_, f, r) + (f.multiple == 0 ? "" : " (+-)");
+    d.domain += "; of it are reproduced: " + (w.empty()                    ? std::string("none")
+                                              : dimension(reproduced) == n ? std::string("all")
+                                                                           : w);
     d.evidence = entry(d.claim, Verdict::proved);
     d.evidence["space"] = space_json(mask_, half);
     d.evidence["reproduced"] = space_json(mask_, reproduced);
@@ -613,10 +632,12 @@ class Prover {
     exceptions.add(mask_.denominator_factors(), mask_, 1);
     if (!exceptions.zeros.complete) {
       d.verdict = Verdict::undecided;
-      d.witness = "a denominator has a zero on the domain that is no cosine of a rational angle: " + mask_.denominator().to_string();
+      d.witness = "a denominator has a zero on the domain that is no cosine of a rational angle: " +
+                  mask_.denominator().to_string();
       return d;
     }
-    d.domain = mask_.data().levels.empty() ? "all parameter values" : "all levels k >= 0, all start values > -1 of the level variables";
+    d.domain = mask_.data().levels.empty() ? "all parameter values"
+                                           : "all levels k >= 0, all start values > -1 of the level variables";
     d.exceptions = exceptions.text();
     d.evidence = entry(d.claim, Verdict::proved);
     d.evidence["exceptions"] = exceptions.json();
@@ -675,8 +696,9 @@ class Prover {
         const Rational y = mask_.generation_value(f, bad.power, s, at);
         if (x == y) continue;
         d.verdict = Verdict::refuted;
-        d.witness = place(at) + "for " + function_text(mask_, f, bad.power) + " the sums of i^" + std::to_string(bad.power) + " a_i z^i over i = 0 and i = " +
-                    std::to_string(s) + " mod " + std::to_string(mask_.arity()) + " are " + x.to_string() + " and " + y.to_string();
+        d.witness = place(at) + "for " + function_text(mask_, f, bad.power) + " the sums of i^" +
+                    std::to_string(bad.power) + " a_i z^i over i = 0 and i = " + std::to_string(s) + " mod " +
+                    std::to_string(mask_.arity()) + " are " + x.to_string() + " and " + y.to_string();
         Json w = Json::object({{"at", at.json()}});
         if (with_frequency) w["frequency"] = frequency_vector(mask_, f, 1);
         w["power"] = bad.power;
@@ -697,9 +719,10 @@ class Prover {
         const Rational x = mask_.reproduction_value(f, bad.power, s, at);
         if (x == Rational(bad.power == 0 ? 1 : 0)) continue;
         d.verdict = Verdict::refuted;
-        d.witness = place(at) + "for " + function_text(mask_, f, bad.power) + " the sum of (i - e)^" + std::to_string(bad.power) +
-                    " a_i z^(i-e) over i = " + std::to_string(s) + " mod " + std::to_string(mask_.arity()) + ", e = " +
-                    mask_.exponent().to_string() + ", is " + x.to_string() + ", not " + (bad.power == 0 ? "1" : "0");
+        d.witness = place(at) + "for " + function_text(mask_, f, bad.power) + " the sum of (i - e)^" +
+                    std::to_string(bad.power) + " a_i z^(i-e) over i = " + std::to_string(s) + " mod " +
+                    std::to_string(mask_.arity()) + ", e = " + mask_.exponent().to_string() + ", is " + x.to_string() +
+                    ", not " + (bad.power == 0 ? "1" : "0");
         if (f.multiple != 0) d.witness += "; z = " + mask_.root_of(f, at).pow(-f.multiple * mask_.root()).to_string();
         d.evidence["witness"] = Json::object({{"at", at.json()},
                                               {"frequency", frequency_vector(mask_, f, 1)},
@@ -723,12 +746,15 @@ class Prover {
   std::optional<Space> own_space_;
 };
 
-bool takes_space(const std::string& claim) { return claim == "generates" || claim == "reproduces" || claim == "maximal"; }
+bool takes_space(const std::string& claim) {
+  return claim == "generates" || claim == "reproduces" || claim == "maximal";
+}
 
 }  // namespace
 
 const std::vector<std::string>& claim_names() {
-  static const std::vector<std::string> names = {"interpolatory", "symmetric", "sum-rules", "generates", "reproduces", "maximal", "well-defined"};
+  static const std::vector<std::string> names = {"interpolatory", "symmetric", "sum-rules",   "generates",
+                                                 "reproduces",    "maximal",   "well-defined"};
   return names;
 }
 
@@ -761,7 +787,8 @@ Prepared prepare(const Scheme& scheme, const std::vector<Claim>& claims) {
     if (s) s = Space::rebase(*s, p.variables).space;
     p.subjects.push_back(std::move(s));
   }
-  for (size_t i = 0; i < own.size(); ++i) p.scale.push_back(static_cast<unsigned>((own[i].factor / p.variables[i].factor).to_long()));
+  for (size_t i = 0; i < own.size(); ++i)
+    p.scale.push_back(static_cast<unsigned>((own[i].factor / p.variables[i].factor).to_long()));
   return p;
 }
 
@@ -806,8 +833,10 @@ Space reproduced_part(const Scheme& scheme, const Space& within) {
 Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
   for (const auto& c : claims) {
     const auto& names = claim_names();
-    if (std::find(names.begin(), names.end(), c.name) == names.end()) bad_input("claim is not one that can be decided here", c.name);
-    if (!takes_space(c.name) && c.name != "sum-rules" && !c.subject.empty()) bad_input(c.name + " takes no subject", c.subject);
+    if (std::find(names.begin(), names.end(), c.name) == names.end())
+      bad_input("claim is not one that can be decided here", c.name);
+    if (!takes_space(c.name) && c.name != "sum-rules" && !c.subject.empty())
+      bad_input(c.name + " takes no subject", c.subject);
   }
   const Prepared p = prepare(scheme, claims);
   Mask mask(scheme, p.variables, p.scale);
@@ -816,7 +845,8 @@ Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
   std::vector<Json> entries;
   for (size_t i = 0; i < claims.size(); ++i) {
     const Claim& c = claims[i];
-    if (takes_space(c.name) && !p.subjects[i]) bad_input(c.name + " needs a space: " + c.name + "=\"1,x,...\"", scheme.id);
+    if (takes_space(c.name) && !p.subjects[i])
+      bad_input(c.name + " needs a space: " + c.name + "=\"1,x,...\"", scheme.id);
     Decision d = c.name == "interpolatory" ? prover.interpolatory()
                  : c.name == "symmetric"   ? prover.symmetric()
                  : c.name == "sum-rules"   ? prover.sum_rules(c.subject)

@@ -10,7 +10,8 @@ namespace twoscale::reports {
 
 namespace {
 
-kernels::MaskTable table_of(const Scheme& scheme, const lowering::Binding& binding, int levels, kernels::Boundary boundary) {
+kernels::MaskTable table_of(const Scheme& scheme, const lowering::Binding& binding, int levels,
+                            kernels::Boundary boundary) {
   lowering::LowerOptions options;
   options.levels = static_cast<unsigned>(std::max(levels, 1));
   options.digits = 0;
@@ -20,8 +21,8 @@ kernels::MaskTable table_of(const Scheme& scheme, const lowering::Binding& bindi
 
 }  // namespace
 
-Refined refine_points(const Scheme& scheme, const lowering::Binding& binding, std::span<const double> points, std::size_t dim,
-                      int levels, kernels::Boundary boundary) {
+Refined refine_points(const Scheme& scheme, const lowering::Binding& binding, std::span<const double> points,
+                      std::size_t dim, int levels, kernels::Boundary boundary) {
   if (levels < 0 || levels > 24) bad_input("levels must be from 0 to 24", std::to_string(levels));
   const kernels::MaskTable table = table_of(scheme, binding, levels, boundary);
   kernels::Refiner<double> refiner(table);
@@ -38,7 +39,8 @@ Refined refine_points(const Scheme& scheme, const lowering::Binding& binding, st
 
 kernels::EndPoints points_beyond_ends(const Scheme& scheme) {
   const Laurent a = symbol(scheme);
-  return kernels::points_beyond_ends(scheme.arity, a.lowest(), a.highest(), kernels::parse_shift(scheme.shift.to_string()));
+  return kernels::points_beyond_ends(scheme.arity, a.lowest(), a.highest(),
+                                     kernels::parse_shift(scheme.shift.to_string()));
 }
 
 Refined basic_limit_function(const Scheme& scheme, const lowering::Binding& binding, int levels) {

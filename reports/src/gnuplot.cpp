@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cctype>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
@@ -81,7 +81,8 @@ int run_gnuplot(const std::string& script, const std::string& out, const std::st
   pid_t child = 0;
   const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, argv.data(), envp.data());
   posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) fail(std::string("gnuplot could not be started (") + std::strerror(error) + "); it draws the pictures");
+  if (error != 0)
+    fail(std::string("gnuplot could not be started (") + std::strerror(error) + "); it draws the pictures");
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) fail("waiting for gnuplot failed", std::strerror(errno));
@@ -105,7 +106,8 @@ std::string first_complaint(const std::string& text) {
 ImageFormat image_format(const std::string& path) {
   if (path == "-") return ImageFormat::svg;
   std::string suffix = std::filesystem::path(path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (suffix == ".svg") return ImageFormat::svg;
   if (suffix == ".pdf") return ImageFormat::pdf;
   if (suffix == ".png") return ImageFormat::png;

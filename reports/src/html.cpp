@@ -23,7 +23,8 @@ std::string data_uri(std::string_view svg) {
   s.reserve(s.size() + 4 * (svg.size() + 2) / 3);
   for (std::size_t i = 0; i < svg.size(); i += 3) {
     unsigned bits = 0;
-    for (std::size_t j = 0; j < 3; ++j) bits = bits << 8 | (i + j < svg.size() ? static_cast<unsigned char>(svg[i + j]) : 0U);
+    for (std::size_t j = 0; j < 3; ++j)
+      bits = bits << 8 | (i + j < svg.size() ? static_cast<unsigned char>(svg[i + j]) : 0U);
     for (std::size_t j = 0; j < 4; ++j) s += i + j <= svg.size() ? digits[bits >> (18 - 6 * j) & 63U] : '=';
   }
   return s;

@@ -108,7 +108,8 @@ class Reader {
     }
     if (!letter(next())) stop();
     const std::size_t from = position_;
-    while (position_ < text_.size() && (letter(text_[position_]) || digit(text_[position_]) || text_[position_] == '_')) ++position_;
+    while (position_ < text_.size() && (letter(text_[position_]) || digit(text_[position_]) || text_[position_] == '_'))
+      ++position_;
     const std::string name(text_.substr(from, position_ - from));
     if (name.empty() || begin == text_.size()) stop();
     if (take('(')) {
@@ -121,7 +122,8 @@ class Reader {
   }
 
   static std::string symbol(const std::string& name) {
-    static const std::map<std::string, std::string> letters = {{"pi", "π"}, {"theta", "θ"}, {"omega", "ω"}, {"lambda", "λ"}};
+    static const std::map<std::string, std::string> letters = {
+        {"pi", "π"}, {"theta", "θ"}, {"omega", "ω"}, {"lambda", "λ"}};
     const auto known = letters.find(name);
     if (known != letters.end()) return "<mi>" + known->second + "</mi>";
     const auto below = name.find('_');
@@ -139,7 +141,8 @@ class Reader {
 std::string mathml(std::string_view expression) { return Reader(expression).all(); }
 
 std::string formula(const std::string& left, std::string_view expression) {
-  return "<math displaystyle=\"true\"><mrow>" + left + (left.empty() ? "" : op("=")) + mathml(expression) + "</mrow></math>";
+  return "<math displaystyle=\"true\"><mrow>" + left + (left.empty() ? "" : op("=")) + mathml(expression) +
+         "</mrow></math>";
 }
 
 }  // namespace twoscale::reports

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace twoscale::reports {
@@ -42,11 +43,12 @@ Frame project(std::vector<Line>& lines) {
   Frame f;
   const auto edge = [&](double x1, double y1, double z1, double x2, double y2, double z2) {
     const auto a = image(x1, y1, z1), b = image(x2, y2, z2);
-    f.edges.push_back({a[0], a[1], b[0], b[1]});
+    f.edges.insert(f.edges.end(), {a[0], a[1], b[0], b[1]});
   };
   const auto label = [&](double x, double y, double z, const char* side, const char* name, std::size_t c) {
     const auto p = image(x, y, z);
-    f.labels.push_back({p[0], p[1], side, fmt::format("{} = {:.3g} … {:.3g}", name, low[c], high[c])});
+    const auto end = [&](double v) { return std::abs(v) < 1e-9 * (high[c] - low[c]) ? 0.0 : v; };  // no rounding errors
+    f.labels.push_back({p[0], p[1], side, fmt::format("{} = {:.3g} … {:.3g}", name, end(low[c]), end(high[c]))});
   };
   // The floor, and the two walls behind the curve; the corner (low x, high y) is the farthest.
   for (double z : {low[2], high[2]}) {
@@ -60,7 +62,7 @@ Frame project(std::vector<Line>& lines) {
   edge(high[0], high[1], low[2], high[0], high[1], high[2]);
   label((low[0] + high[0]) / 2, low[1], low[2], "right", "x", 0);
   label(high[0], (low[1] + high[1]) / 2, low[2], "left", "y", 1);
-  label(low[0], low[1], high[2], "left", "z", 2);
+  label(low[0], high[1], high[2], "center", "z", 2);
   return f;
 }
 

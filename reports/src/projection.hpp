@@ -2,7 +2,6 @@
 // Space curves seen from afar: a parallel projection to the plane, with the box around them.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,7 @@
 namespace twoscale::reports {
 
 struct Frame {
-  std::vector<std::array<double, 4>> edges;  // x1, y1, x2, y2
+  std::vector<double> edges;  // x1, y1, x2, y2 of one edge after the other
   struct Label {
     double x, y;
     const char* side;  // gnuplot's alignment: left, center, right

@@ -18,7 +18,10 @@ namespace twoscale::reports {
 namespace {
 
 // Distinct for most eyes and dark enough for thin lines on white.
-constexpr std::array<const char*, 7> palette = {"#0b5394", "#c2410c", "#15803d", "#7e22ce", "#a16207", "#0e7490", "#be185d"};
+constexpr std::array<const char*, 7> palette = {"#0b5394", "#c2410c", "#15803d", "#7e22ce",
+                                                "#a16207", "#0e7490", "#be185d"};
+
+constexpr int frame_colour = -1;
 
 struct Range {
   double low = 0;
@@ -55,7 +58,8 @@ void check(const Picture& picture) {
       bad_input("picture: curves must all have two or all have three coordinates, not", std::to_string(l.dim));
     if (l.values.size() < l.dim || l.values.size() % l.dim != 0) bad_input("picture: a curve without points");
     for (double x : l.values)
-      if (!std::isfinite(x) || std::abs(x) > 1e100) bad_input("picture: a point is too far away to be drawn", kernels::shortest(x));
+      if (!std::isfinite(x) || std::abs(x) > 1e100)
+        bad_input("picture: a point is too far away to be drawn", kernels::shortest(x));
   }
 }
 
@@ -64,17 +68,20 @@ std::string terminal(const Picture& p, ImageFormat format) {
     case ImageFormat::svg:
       return fmt::format("svg noenhanced size {},{} font 'sans-serif,12' background '#ffffff'", p.width, p.height);
     case ImageFormat::pdf:
-      return fmt::format("pdfcairo noenhanced size {:.4f}in,{:.4f}in font 'sans-serif,9'", p.width / 72.0, p.height / 72.0);
+      return fmt::format("pdfcairo noenhanced size {:.4f}in,{:.4f}in font 'sans-serif,9'", p.width / 72.0,
+                         p.height / 72.0);
     case ImageFormat::png:
-      return fmt::format("pngcairo noenhanced size {},{} font 'sans-serif,12' fontscale 2 linewidth 2 pointscale 2", 2 * p.width,
-                         2 * p.height);
+      return fmt::format(
+          "pngcairo noenhanced size {},{} font 'sans-serif,12' fontscale 1.5 linewidth 2 pointscale 2 dashlength 1.6",
+          2 * p.width, 2 * p.height);
   }
   return {};
 }
 
 // Characters of UTF-8 text.
 std::size_t letters(const std::string& s) {
-  return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 // The legend below the axes: entries a row, and rows.
@@ -111,7 +118,8 @@ std::string data(const Line& l) {
 }
 
 std::string look(const Line& l) {
-  const char* colour = palette[static_cast<std::size_t>(l.colour) % palette.size()];
+  const char* colour =
+      l.colour == frame_colour ? "#cbd5e1" : palette[static_cast<std::size_t>(l.colour) % palette.size()];
   switch (l.style) {
     case Line::Style::curve: return fmt::format("with lines lw 2 lc rgb '{}'", colour);
     case Line::Style::reference: return "with lines lw 1.2 lc rgb '#dc2626'";
@@ -122,7 +130,9 @@ std::string look(const Line& l) {
 }
 
 std::string axis(const char* name, Range r, bool logarithmic) {
-  if (logarithmic) return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset logscale {0} 10\nset format {0} '%g'\n", name, r.low, r.high);
+  if (logarithmic)
+    return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset logscale {0} 10\nset format {0} '%g'\n", name, r.low,
+                       r.high);
   return fmt::format("set {}range [{:.9g}:{:.9g}]\n", name, r.low, r.high);
 }
 
@@ -145,13 +155,11 @@ std::string plane(const Picture& p, int left, int right, int top, int bottom) {
   return axis("x", x, p.logarithmic_x) + axis("y", y, p.logarithmic_y) + "set grid lc rgb '#e5e7eb' lt 1 lw 0.6\n";
 }
 
-std::string frame_of(const Frame& f) {
-  std::string s = "unset border\nunset tics\n";
-  for (const auto& e : f.edges)
-    s += fmt::format("set arrow from {:.9g},{:.9g} to {:.9g},{:.9g} nohead back lc rgb '#cbd5e1' lw 0.8\n", e[0], e[1], e[2], e[3]);
+std::string labels_of(const Frame& f) {
+  std::string s = "unset border\nunset tics\nunset grid\n";
   for (const auto& l : f.labels)
-    s += fmt::format("set label {} at {:.9g},{:.9g} {} offset 0,{} textcolor rgb '#4b5563'\n", quoted(l.text), l.x, l.y, l.side,
-                     l.text[0] == 'z' ? "0.7" : "-0.9");
+    s += fmt::format("set label {} at {:.9g},{:.9g} {} offset 0,{} textcolor rgb '#4b5563'\n", quoted(l.text), l.x, l.y,
+                     l.side, l.text[0] == 'z' ? "0.7" : "-0.9");
   return s;
 }
 
@@ -164,6 +172,11 @@ std::string gnuplot_script(const Picture& picture, ImageFormat format) {
   Frame frame;
   if (space) {
     frame = project(p.lines);
+    Line box;
+    box.style = Line::Style::segments;
+    box.colour = frame_colour;
+    box.values = frame.edges;
+    p.lines.insert(p.lines.begin(), std::move(box));
     p.equal_axes = true;
     p.logarithmic_x = p.logarithmic_y = false;
   }
@@ -173,26 +186,32 @@ std::string gnuplot_script(const Picture& picture, ImageFormat format) {
   const int left = space ? 14 : 52 + (p.y_label.empty() ? 0 : 22);
   const int right = p.logarithmic_x ? 24 : 14;
   const int top = p.title.empty() ? 14 : 34;
-  const int bottom = 32 + (p.x_label.empty() ? 0 : 22) + 18 * key.rows;
+  const int bottom = (space ? 22 : 32) + (p.x_label.empty() ? 0 : 24) + 18 * key.rows;
   std::string s = "set terminal " + terminal(p, format) + "\nset encoding utf8\n";
-  s += fmt::format("set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n",
-                   double(left) / p.width, 1 - double(right) / p.width, 1 - double(top) / p.height, double(bottom) / p.height);
-  s += "set border lc rgb '#9ca3af' lw 0.8\nset tics scale 0.5 textcolor rgb '#374151'\nset xtics nomirror\nset ytics nomirror\n";
+  s += fmt::format(
+      "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\nset bmargin at screen "
+      "{:.6f}\n",
+      double(left) / p.width, 1 - double(right) / p.width, 1 - double(top) / p.height, double(bottom) / p.height);
+  s += "set border lc rgb '#9ca3af' lw 0.8\nset tics scale 0.5 textcolor rgb '#374151'\nset xtics nomirror\nset ytics "
+       "nomirror\n";
   s += plane(p, left, right, top, bottom);
-  if (space) s += frame_of(frame);
+  if (space) s += labels_of(frame);
   if (!p.title.empty()) s += "set title " + quoted(p.title) + "\n";
-  if (!p.x_label.empty()) s += "set xlabel " + quoted(p.x_label) + "\n";
+  if (!p.x_label.empty()) s += "set xlabel " + quoted(p.x_label) + " offset 0,0.4\n";
   if (!p.y_label.empty()) s += "set ylabel " + quoted(p.y_label) + "\n";
   if (key.rows == 0)
     s += "unset key\n";
   else
-    s += fmt::format("set key at screen 0.5, screen {:.6f} center bottom horizontal Left reverse maxcols {} samplen 2 spacing 1.1 width 1\n",
-                     2.0 / p.height, key.columns);
+    s += fmt::format(
+        "set key at screen 0.5, screen {:.6f} center bottom horizontal Left reverse maxcols {} samplen 2 spacing 1.1 "
+        "width 1\n",
+        2.0 / p.height, key.columns);
   for (std::size_t i = 0; i < p.lines.size(); ++i) s += fmt::format("$line{} << END\n{}END\n", i, data(p.lines[i]));
   s += "plot";
   for (std::size_t i = 0; i < p.lines.size(); ++i) {
     const Line& l = p.lines[i];
-    s += fmt::format("{} $line{} {} {}", i == 0 ? "" : ",", i, look(l), l.title.empty() ? "notitle" : "title " + quoted(l.title));
+    s += fmt::format("{} $line{} {} {}", i == 0 ? "" : ",", i, look(l),
+                     l.title.empty() ? "notitle" : "title " + quoted(l.title));
   }
   return s + "\n";
 }

@@ -27,17 +27,30 @@ std::string unquoted(std::string s) {
   return s;
 }
 
+// No quote is left and every bracket has its partner; otherwise the canonical spelling would be split elsewhere.
+bool balanced(const std::string& s) {
+  long depth = 0;
+  for (const char c : s) {
+    if (c == '(' || c == '[') ++depth;
+    if (c == ')' || c == ']') --depth;
+    if (depth < 0 || c == '"') return false;
+  }
+  return depth == 0;
+}
+
 constexpr long largest_l = 128;
 
 long integer_key(const SchemeName& name, const std::string& key, long least, long greatest) {
   const std::string& text = name.keys.at(key);
   const auto bad = [&] {
-    bad_input(name.id + ": " + key + " must be an integer from " + std::to_string(least) + " to " + std::to_string(greatest),
-              text);
+    bad_input(
+        name.id + ": " + key + " must be an integer from " + std::to_string(least) + " to " + std::to_string(greatest),
+        text);
   };
-  const bool digits = !text.empty() && text.size() < 8 && std::all_of(text.begin() + (text[0] == '-' ? 1 : 0), text.end(), [](char c) {
-    return c >= '0' && c <= '9';
-  }) && text != "-";
+  const bool digits =
+      !text.empty() && text.size() < 8 &&
+      std::all_of(text.begin() + (text[0] == '-' ? 1 : 0), text.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
+      text != "-";
   if (!digits) bad();
   const long value = std::stol(text);
   if (value < least || value > greatest) bad();
@@ -68,7 +81,8 @@ Scheme approximating(const SchemeName& name, const Space& space, const std::stri
   if (space.polynomial_order() > 0) s.claims.push_back({"sum-rules", std::to_string(space.polynomial_order()), source});
   s.claims.push_back({"generates", space.to_string(), source});
   if (space.polynomial_order() > 0)
-    s.claims.push_back({"reproduces", polynomials(std::min(2U, space.polynomial_order())).to_string(), "Conti and Romani 2011"});
+    s.claims.push_back(
+        {"reproduces", polynomials(std::min(2U, space.polynomial_order())).to_string(), "Conti and Romani 2011"});
   s.claims.push_back({"maximal", space.to_string(), ""});
   s.claims.push_back({"well-defined", "", source});
   return s;
@@ -122,8 +136,8 @@ CatalogEntry family_entry(const std::string& family, const std::string& space, c
           sigma_keys("n of " + space),
           {family + ":n=1", family + ":n=2", family + ":n=3", family + ":n=2,arity=3"},
           [family, source](const SchemeName& name) {
-            return approximating(name, family_space(family, static_cast<unsigned>(integer_key(name, "n", 1, 2 * largest_l))),
-                                 source);
+            return approximating(
+                name, family_space(family, static_cast<unsigned>(integer_key(name, "n", 1, 2 * largest_l))), source);
           }};
 }
 
@@ -140,61 +154,68 @@ std::vector<CatalogEntry> build_catalog() {
                     s.title = "B-spline of degree " + std::to_string(n);
                     return s;
                   }});
-  list.push_back({"exponential-bspline",
-                  "sigma of any exponential-polynomial space",
-                  "romani2009 (2)",
-                  {{"space", "comma list of functions, e.g. \"1,x,exp(t*x),exp(-t*x)\"", true},
-                   {"arity", "arity m, 2 if absent", false}},
-                  {"exponential-bspline:space=\"1,exp(t*x),exp(-t*x)\"", "exponential-bspline:space=\"cos(s*x),sin(s*x)\"",
-                   "exponential-bspline:space=\"1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\"",
-                   "exponential-bspline:arity=3,space=\"1,x,cosh(t*x),sinh(t*x)\""},
-                  [](const SchemeName& name) { return approximating(name, Space::parse(name.keys.at("space")), "romani2009 (2)"); }});
+  list.push_back(
+      {"exponential-bspline",
+       "sigma of any exponential-polynomial space",
+       "romani2009 (2)",
+       {{"space", "comma list of functions, e.g. \"1,x,exp(t*x),exp(-t*x)\"", true},
+        {"arity", "arity m, 2 if absent", false}},
+       {"exponential-bspline:space=\"1,exp(t*x),exp(-t*x)\"", "exponential-bspline:space=\"cos(s*x),sin(s*x)\"",
+        "exponential-bspline:space=\"1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\"",
+        "exponential-bspline:arity=3,space=\"1,x,cosh(t*x),sinh(t*x)\""},
+       [](const SchemeName& name) {
+         return approximating(name, Space::parse(name.keys.at("space")), "romani2009 (2)");
+       }});
   list.push_back(family_entry("mixed", "{1, ..., x^n, e^{+-tx}}", "(3)"));
   list.push_back(family_entry("harmonic", "{1, x, e^{+-jtx}, j <= n}", "(9)"));
   list.push_back(family_entry("resonant", "{1, x, x^r e^{+-tx}, r < n}", "(13)"));
-  list.push_back({"interpolating",
-                  "the 2l-point interpolating scheme of a space of dimension 2l",
-                  "romani2009 (16)-(19), corrected",
-                  {{"space", "comma list of functions", false},
-                   {"family", "mixed, harmonic or resonant; with l", false},
-                   {"l", "2l points", false},
-                   {"arity", "2", false}},
-                  {"interpolating:family=mixed,l=2", "interpolating:family=mixed,l=3", "interpolating:family=harmonic,l=3",
-                   "interpolating:family=resonant,l=3", "interpolating:family=mixed,l=4", "interpolating:family=harmonic,l=4",
-                   "interpolating:family=resonant,l=4", "interpolating:space=\"1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\"",
-                   "interpolating:space=\"1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)\"",
-                   "interpolating:space=\"1,x,x^2,x^3,cos(t*x),sin(t*x),x*cos(t*x),x*sin(t*x)\"",
-                   "interpolating:space=\"exp(t*x),exp(-t*x)\"", "interpolating:space=\"cosh(x),sinh(x),1,x\""},
-                  [](const SchemeName& name) {
-                    const bool family = name.keys.contains("family");
-                    if (family == name.keys.contains("space"))
-                      bad_input("interpolating: give either space=... or family=... with l=...", name.to_string());
-                    if (!family) {
-                      if (name.keys.contains("l")) bad_input("interpolating: l goes with family, not with space", name.to_string());
-                      return interpolating(name, Space::parse(name.keys.at("space")), "romani2009 (16)-(19), corrected");
-                    }
-                    if (!name.keys.contains("l")) bad_input("interpolating: l is missing", name.to_string());
-                    const std::string& f = name.keys.at("family");
-                    const auto l = static_cast<unsigned>(integer_key(name, "l", 2, largest_l));
-                    return interpolating(name, family_space(f, family_member(f, l)), "romani2009 Corollary 11");
-                  }});
+  list.push_back(
+      {"interpolating",
+       "the 2l-point interpolating scheme of a space of dimension 2l",
+       "romani2009 (16)-(19), corrected",
+       {{"space", "comma list of functions", false},
+        {"family", "mixed, harmonic or resonant; with l", false},
+        {"l", "2l points", false},
+        {"arity", "2", false}},
+       {"interpolating:family=mixed,l=2", "interpolating:family=mixed,l=3", "interpolating:family=harmonic,l=3",
+        "interpolating:family=resonant,l=3", "interpolating:family=mixed,l=4", "interpolating:family=harmonic,l=4",
+        "interpolating:family=resonant,l=4", "interpolating:space=\"1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\"",
+        "interpolating:space=\"1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)\"",
+        "interpolating:space=\"1,x,x^2,x^3,cos(t*x),sin(t*x),x*cos(t*x),x*sin(t*x)\"",
+        "interpolating:space=\"exp(t*x),exp(-t*x)\"", "interpolating:space=\"cosh(x),sinh(x),1,x\""},
+       [](const SchemeName& name) {
+         const bool family = name.keys.contains("family");
+         if (family == name.keys.contains("space"))
+           bad_input("interpolating: give either space=... or family=... with l=...", name.to_string());
+         if (!family) {
+           if (name.keys.contains("l"))
+             bad_input("interpolating: l goes with family, not with space", name.to_string());
+           return interpolating(name, Space::parse(name.keys.at("space")), "romani2009 (16)-(19), corrected");
+         }
+         if (!name.keys.contains("l")) bad_input("interpolating: l is missing", name.to_string());
+         const std::string& f = name.keys.at("family");
+         const auto l = static_cast<unsigned>(integer_key(name, "l", 2, largest_l));
+         return interpolating(name, family_space(f, family_member(f, l)), "romani2009 Corollary 11");
+       }});
   list.push_back({"dd",
                   "Deslauriers-Dubuc 2l-point",
                   "Deslauriers and Dubuc 1989",
                   {{"l", "2l points", true}},
                   {"dd:l=1", "dd:l=2", "dd:l=3", "dd:l=8"},
                   [](const SchemeName& name) {
-                    Scheme s = interpolating(name, polynomials(2 * static_cast<unsigned>(integer_key(name, "l", 1, largest_l))),
-                                             "Deslauriers and Dubuc 1989");
+                    Scheme s = interpolating(
+                        name, polynomials(2 * static_cast<unsigned>(integer_key(name, "l", 1, largest_l))),
+                        "Deslauriers and Dubuc 1989");
                     s.title = "Deslauriers-Dubuc " + std::to_string(s.space->dimension()) + "-point scheme";
                     return s;
                   }});
-  list.push_back({"tension4",
-                  "4-point scheme with tension v^0",
-                  "beccari2007 (3), (7)",
-                  {},
-                  {"tension4"},
-                  [](const SchemeName& name) { return interpolating(name, family_space("mixed", 1), "beccari2007 (3), (7)"); }});
+  list.push_back(
+      {"tension4",
+       "4-point scheme with tension v^0",
+       "beccari2007 (3), (7)",
+       {},
+       {"tension4"},
+       [](const SchemeName& name) { return interpolating(name, family_space("mixed", 1), "beccari2007 (3), (7)"); }});
   list.push_back({"mask",
                   "any stationary mask; names in the coefficients are constant parameters",
                   "",
@@ -240,7 +261,7 @@ SchemeName parse_scheme_name(std::string_view text) {
   }
   for (auto& [k, value] : name.keys) {
     value = unquoted(value);
-    if (value.find('"') != std::string::npos) bad_input("quotes do not match in scheme name", value);
+    if (!balanced(value)) bad_input("quotes or brackets do not match in scheme name", value);
   }
   return name;
 }

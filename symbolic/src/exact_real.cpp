@@ -9,11 +9,11 @@
 
 namespace twoscale {
 
-// Separation data of an algebraic constant U/L: bits of bounds for the conjugates of U and L, and the degree. The bounds
-// are integers rounded up at each step, so that they stay upper bounds.
+// Separation data of an algebraic constant U/L: bits of bounds for the conjugates of U and L, and the degree. The
+// bounds are integers rounded up at each step, so that they stay upper bounds.
 //
-// All cosines lie in one field, Q(cos(pi/n)) for the common denominator n of their angles, of degree at most n; so they count
-// once however often they occur. Radicals multiply the degree.
+// All cosines lie in one field, Q(cos(pi/n)) for the common denominator n of their angles, of degree at most n; so they
+// count once however often they occur. Radicals multiply the degree.
 struct Separation {
   long u = 0;        // |conjugates of U| <= 2^u
   long l = 0;        // |conjugates of L| <= 2^l
@@ -23,10 +23,10 @@ struct Separation {
 
 struct ExactReal::Node {
   enum class Kind { rational, pi, sum, product, quotient, power, function } kind;
-  Rational value;                          // rational: itself; power: the exponent
+  Rational value;  // rational: itself; power: the exponent
   std::vector<ExactReal> arguments;
   Function function = Function::exp;
-  std::optional<Separation> separation;    // none if not known to be algebraic
+  std::optional<Separation> separation;  // none if not known to be algebraic
 };
 
 namespace {
@@ -52,7 +52,9 @@ long bits_of(const fmpz* n) { return static_cast<long>(fmpz_bits(n)); }
 
 long degree(const Separation& s) { return multiply_degrees(s.radical, s.cosine); }
 
-Separation separation_of_rational(const Rational& q) { return {bits_of(q.numerator()), bits_of(q.denominator()), 1, 1}; }
+Separation separation_of_rational(const Rational& q) {
+  return {bits_of(q.numerator()), bits_of(q.denominator()), 1, 1};
+}
 
 std::optional<Separation> separation(Node::Kind kind, const std::vector<ExactReal>& args) {
   const auto& a = node(args[0]).separation;
@@ -181,12 +183,8 @@ Ball ExactReal::enclose(long bits) const {
   const Node& n = *node_;
   Ball r;
   switch (n.kind) {
-    case Node::Kind::rational:
-      arb_set_fmpq(r.raw(), n.value.raw(), bits);
-      return r;
-    case Node::Kind::pi:
-      arb_const_pi(r.raw(), bits);
-      return r;
+    case Node::Kind::rational: arb_set_fmpq(r.raw(), n.value.raw(), bits); return r;
+    case Node::Kind::pi: arb_const_pi(r.raw(), bits); return r;
     case Node::Kind::sum:
       arb_add(r.raw(), n.arguments[0].enclose(bits).raw(), n.arguments[1].enclose(bits).raw(), bits);
       return r;
@@ -196,11 +194,8 @@ Ball ExactReal::enclose(long bits) const {
     case Node::Kind::quotient:
       arb_div(r.raw(), n.arguments[0].enclose(bits).raw(), n.arguments[1].enclose(bits).raw(), bits);
       return r;
-    case Node::Kind::power:
-      arb_pow_fmpq(r.raw(), n.arguments[0].enclose(bits).raw(), n.value.raw(), bits);
-      return r;
-    case Node::Kind::function:
-      break;
+    case Node::Kind::power: arb_pow_fmpq(r.raw(), n.arguments[0].enclose(bits).raw(), n.value.raw(), bits); return r;
+    case Node::Kind::function: break;
   }
   const ExactReal& x = n.arguments[0];
   if (const auto angle = x.multiple_of_pi(); angle && n.function == Function::cos) {
@@ -233,7 +228,8 @@ Sign ExactReal::sign(long max_bits) const {
   if (rational()) return rational()->is_zero() ? Sign::zero : rational()->sign() < 0 ? Sign::negative : Sign::positive;
   const auto& s = node_->separation;
   // Below 2^-bound only zero is left.
-  const long bound = s && degree(*s) < degree_cap && s->u < max_bits ? s->l + (degree(*s) - 1) * std::max(1L, s->u) : max_bits + 1;
+  const long bound =
+      s && degree(*s) < degree_cap && s->u < max_bits ? s->l + (degree(*s) - 1) * std::max(1L, s->u) : max_bits + 1;
   for (long bits = 64; bits <= 2 * max_bits; bits *= 2) {
     const Ball x = enclose(bits);
     if (x.is_positive()) return Sign::positive;

@@ -67,7 +67,8 @@ class Reader {
  private:
   [[noreturn]] void fail(const std::string& message) const {
     const std::string rest(text_.substr(at_, 24));
-    bad_input(message + " '" + std::string(text_.substr(0, 80)) + "'", rest.empty() ? "at its end" : "at '" + rest + "'");
+    bad_input(message + " '" + std::string(text_.substr(0, 80)) + "'",
+              rest.empty() ? "at its end" : "at '" + rest + "'");
   }
   void skip() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
@@ -159,7 +160,9 @@ class Reader {
   }
 
   static long length(const numeric& n) {
-    const auto part = [](const numeric& q) { return q.is_zero() ? 1L : static_cast<long>(q.numer().int_length() + q.denom().int_length()) + 1; };
+    const auto part = [](const numeric& q) {
+      return q.is_zero() ? 1L : static_cast<long>(q.numer().int_length() + q.denom().int_length()) + 1;
+    };
     return n.is_real() ? part(n) : part(n.real()) + part(n.imag());
   }
 
@@ -229,7 +232,8 @@ class Reader {
       at_ = start;
       fail("number is too large in");
     }
-    if (at_ < text_.size() && (std::isalpha(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.' || text_[at_] == '_')) {
+    if (at_ < text_.size() &&
+        (std::isalpha(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.' || text_[at_] == '_')) {
       fail("'*' is missing in");
     }
     charge(4 * (static_cast<long>(digits.size()) + std::labs(scale)));
@@ -239,7 +243,8 @@ class Reader {
 
   ex name() {
     const size_t start = at_;
-    while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_')) ++at_;
+    while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_'))
+      ++at_;
     const std::string word(text_.substr(start, at_ - start));
     if (const auto f = functions().find(word); f != functions().end()) {
       if (!take('(')) {
@@ -299,8 +304,8 @@ Rational to_rational(const numeric& n) {
 
 namespace {
 
-// Bounds before anything is expanded: the terms of a polynomial are at most prod (degree + 1) and at most what its factors
-// give.
+// Bounds before anything is expanded: the terms of a polynomial are at most prod (degree + 1) and at most what its
+// factors give.
 struct Size {
   double terms = 1;
   std::map<std::string, long> degrees;
@@ -411,14 +416,16 @@ ExactReal to_exact_real(const ex& e) {
   if (is_a<GiNaC::power>(e)) {
     if (is_a<numeric>(e.op(1)) && ex_to<numeric>(e.op(1)).is_rational())
       return to_exact_real(e.op(0)).pow(to_rational(ex_to<numeric>(e.op(1))));
-    return ExactReal::apply(ExactReal::Function::exp,
-                            to_exact_real(e.op(1)) * ExactReal::apply(ExactReal::Function::log, to_exact_real(e.op(0))));
+    return ExactReal::apply(
+        ExactReal::Function::exp,
+        to_exact_real(e.op(1)) * ExactReal::apply(ExactReal::Function::log, to_exact_real(e.op(0))));
   }
   if (is_a<GiNaC::function>(e)) {
     using F = ExactReal::Function;
-    static const std::map<std::string, F> table = {{"exp", F::exp},   {"log", F::log},   {"cos", F::cos},   {"sin", F::sin},
-                                                   {"tan", F::tan},   {"cosh", F::cosh}, {"sinh", F::sinh}, {"tanh", F::tanh},
-                                                   {"acos", F::acos}, {"asin", F::asin}, {"atan", F::atan}, {"acosh", F::acosh}};
+    static const std::map<std::string, F> table = {{"exp", F::exp},   {"log", F::log},   {"cos", F::cos},
+                                                   {"sin", F::sin},   {"tan", F::tan},   {"cosh", F::cosh},
+                                                   {"sinh", F::sinh}, {"tanh", F::tanh}, {"acos", F::acos},
+                                                   {"asin", F::asin}, {"atan", F::atan}, {"acosh", F::acosh}};
     const auto it = table.find(ex_to<GiNaC::function>(e).get_name());
     if (it != table.end()) return ExactReal::apply(it->second, to_exact_real(e.op(0)));
   }
@@ -431,7 +438,8 @@ ex to_ginac(const RationalFunction& f, Symbols& symbols) {
     ex r = 0;
     p.for_each_term([&](const Rational& c, std::span<const unsigned long> e) {
       ex term = numeric(c.to_string().c_str());
-      for (size_t i = 0; i < e.size(); ++i) term *= GiNaC::pow(symbols[p.variables()[i]], numeric(static_cast<long>(e[i])));
+      for (size_t i = 0; i < e.size(); ++i)
+        term *= GiNaC::pow(symbols[p.variables()[i]], numeric(static_cast<long>(e[i])));
       r += term;
     });
     return r;
@@ -450,7 +458,8 @@ ExactReal parse_real(std::string_view text) {
   Symbols symbols;
   const ex e = parse_expression(text, symbols);
   const ExactReal r = to_exact_real(e);
-  if (!r.enclose(128).is_finite() && !r.enclose(4096).is_finite()) bad_input("expression has no finite real value", std::string(text.substr(0, 80)));
+  if (!r.enclose(128).is_finite() && !r.enclose(4096).is_finite())
+    bad_input("expression has no finite real value", std::string(text.substr(0, 80)));
   return r;
 }
 

@@ -18,8 +18,9 @@ Polynomial integer_polynomial(const Rational& n) { return Polynomial::constant(n
 size_t half_dimension(const Space& space) {
   const unsigned n = space.dimension();
   if (n == 0 || n % 2 == 1)
-    bad_input("an interpolating 2l-point scheme needs a space of even dimension, this one has dimension " + std::to_string(n),
-              space.to_string());
+    bad_input(
+        "an interpolating 2l-point scheme needs a space of even dimension, this one has dimension " + std::to_string(n),
+        space.to_string());
   return n / 2;
 }
 
@@ -80,6 +81,7 @@ Laurent symmetric_interpolatory(const std::vector<RationalFunction>& odd) {
 
 Laurent interpolating_symbol(const Space& space) {
   if (auto a = interpolating_symbol_harmonic(space)) return *std::move(a);
+  if (auto a = interpolating_symbol_two_nodes(space)) return *std::move(a);
   return interpolating_symbol_by_divided_differences(space);
 }
 
@@ -106,7 +108,8 @@ Laurent interpolating_symbol_by_divided_differences(const Space& space) {
       for (size_t a = i + 1; a < j; ++a) right[i] *= w[a] + w[j];
       if (node[i] == node[j]) {
         const long d = static_cast<long>(n);
-        const Rational c = Rational::binomial(Rational(-1, 2), static_cast<unsigned>(n)) * Rational(2).pow(d * (d + 1) / 2);
+        const Rational c =
+            Rational::binomial(Rational(-1, 2), static_cast<unsigned>(n)) * Rational(2).pow(d * (d + 1) / 2);
         next[i] = RationalFunction(c) * RationalFunction(w[i].pow(static_cast<unsigned>(d * (d - 1) / 2)));
         continue;
       }
@@ -140,7 +143,8 @@ Laurent interpolating_symbol_by_divided_differences(const Space& space) {
   for (size_t n = l; n-- > 0;) {
     if (length > 0) {  // q *= u - w_n^2
       const Polynomial square = w[n] * w[n];
-      for (size_t i = length; i > 0; --i) q[i] = (i < length ? q[i] : Polynomial(0)) * Polynomial(-1) * square + q[i - 1];
+      for (size_t i = length; i > 0; --i)
+        q[i] = (i < length ? q[i] : Polynomial(0)) * Polynomial(-1) * square + q[i - 1];
       q[0] = Polynomial(0) - q[0] * square;
     }
     ++length;
@@ -157,14 +161,109 @@ Laurent interpolating_symbol_by_divided_differences(const Space& space) {
   return symmetric_interpolatory(odd);
 }
 
+namespace {
+
+// sum_j c[j] x^{2j}.
+Polynomial even_polynomial(const std::vector<Rational>& c, const Polynomial& x) {
+  if (x.is_one()) {
+    Rational sum;
+    for (const Rational& a : c) sum += a;
+    return integer_polynomial(sum);
+  }
+  if (x == Polynomial::variable(x.variables()[0])) {
+    std::vector<Rational> spread(2 * c.size() - 1);
+    for (size_t j = 0; j < c.size(); ++j) spread[2 * j] = c[j];
+    return Polynomial::univariate(x.variables()[0], spread);
+  }
+  const Polynomial square = x * x;
+  Polynomial value;
+  for (size_t j = c.size(); j-- > 0;) value = value * square + integer_polynomial(c[j]);
+  return value;
+}
+
+}  // namespace
+
+std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
+  const size_t l = half_dimension(space);
+  const std::vector<Node> node = nodes(space);
+  if (l < 2) return std::nullopt;
+  const bool last = std::equal(node.begin() + 1, node.end() - 1, node.begin());  // the simple node comes last
+  if (!last && !std::equal(node.begin() + 2, node.end(), node.begin() + 1)) return std::nullopt;
+  const size_t simple = last ? l - 1 : 0;
+  const size_t multiple = last ? 0 : l - 1;
+  if (node[simple] == node[multiple]) return std::nullopt;
+  const long n = static_cast<long>(l) - 1;
+  const std::vector<Polynomial> w = cosh_nodes(space);
+  const Polynomial& p = w[multiple];
+  const Polynomial& q = w[simple];
+  const auto choose = [](long a, long b) { return Rational::binomial(Rational(a), static_cast<unsigned>(b)); };
+  // G by Horner in p + q; at the end `shifted` is (p + q)^n.
+  Polynomial g, power = 1;
+  const Polynomial sum = p + q;
+  const Polynomial twice = Polynomial(2) * p;
+  for (long k = 0; k < n; ++k) {
+    g = g * twice + integer_polynomial(choose(n - 1 + k, k)) * power;
+    power *= sum;
+  }
+  const Polynomial denominator_part = Polynomial(4) * q * power;
+  if (n % 2 == 1) g = -g;
+  Sums sums(space);
+  const auto to_the = [](FactoredPolynomial f, long e) {
+    f.content = f.content.pow(e);
+    for (auto& [factor, exponent] : f.factors) exponent *= static_cast<unsigned>(e);
+    return f;
+  };
+  FactoredPolynomial denominator = sums.factored(simple, simple);  // 2 q (p + q)^n (2 p)^{2n-1}
+  denominator.multiply(to_the(sums.factored(simple, multiple), n));
+  denominator.multiply(to_the(sums.factored(multiple, multiple), 2 * n - 1));
+  const Rational content = denominator.content / Rational(2).pow(2 * n) * Rational(2).pow(4 * n - 1);
+  // The coefficients of z^{2i+1} in F(w/p) and in w (w^2 - p^2)^n, times 2^{4n-3} p^{2n-1} and 2^{2n+1}, in powers of
+  // p^2.
+  const Rational lead = Rational(2 * n - 1) * choose(2 * n - 2, n - 1);
+  std::vector<Rational> t(l), s(l);
+  for (long j = 0; j <= n; ++j) {
+    const size_t at = static_cast<size_t>(n - j);
+    if (j < n)
+      t[at] = lead * choose(n - 1, j) * Rational(4).pow(n - 1 - j) / Rational(j % 2 == 0 ? 2 * j + 1 : -2 * j - 1);
+    s[at] = choose(n, j) * Rational(4).pow(n - j) * Rational((n - j) % 2 == 0 ? 1 : -1);
+  }
+  // cosine[j][i] = C(2j+1, j-i), the coefficient of z^{2i+1} in 2^{2j+1} w^{2j+1}.
+  std::vector<std::vector<Rational>> cosine{{1}};
+  for (size_t j = 1; j < l; ++j) {
+    const std::vector<Rational>& before = cosine.back();
+    std::vector<Rational> row(j + 1);
+    for (size_t i = 0; i < j; ++i) {
+      row[i] += before[i] + before[i] + before[i == 0 ? 0 : i - 1];
+      if (i + 1 < j) row[i] += before[i + 1];
+    }
+    row[j] = 1;
+    cosine.push_back(std::move(row));
+  }
+  std::vector<RationalFunction> odd;
+  for (long i = 0; i <= n; ++i) {
+    std::vector<Rational> a(static_cast<size_t>(n - i + 1)), b(a.size());
+    for (long j = i; j <= n; ++j) {
+      const size_t at = static_cast<size_t>(n - j);
+      const Rational& c = cosine[static_cast<size_t>(j)][static_cast<size_t>(i)];
+      if (at > 0) a[at - 1] = t[at] * c;
+      b[at] = s[at] * c;
+    }
+    const Polynomial numerator = denominator_part * even_polynomial(a, p) + g * even_polynomial(b, p);
+    odd.push_back(RationalFunction::over_factors(numerator * integer_polynomial(Rational(content.denominator())),
+                                                 Rational(content.numerator()), denominator.factors));
+  }
+  return symmetric_interpolatory(odd);
+}
+
 std::optional<Laurent> interpolating_symbol_harmonic(const Space& space) {
   if (space.polynomial_order() != 2 || space.variables().size() != 1) return std::nullopt;
   for (size_t i = 0; i < space.exponentials().size(); ++i)
     if (space.exponentials()[i].multiple != i + 1 || space.exponentials()[i].order != 1) return std::nullopt;
   const unsigned l = static_cast<unsigned>(half_dimension(space));
   const std::string& name = space.variables()[0].name;
-  // Per factor (1 - T_i)/(T_m - T_i) = -(E^i - 1)^2 E^{m-i} / ((E^{m+i} - 1)(E^{m-i} - 1)); E^n - 1 = prod_{d|n} Phi_d, and
-  // Phi_d(E) E^{-phi(d)/2} = (content of the minimal polynomial of 2 cos at 2v) * cosine_minimal(d); (E+1)^2/E = 2 (v+1).
+  // Per factor (1 - T_i)/(T_m - T_i) = -(E^i - 1)^2 E^{m-i} / ((E^{m+i} - 1)(E^{m-i} - 1)); E^n - 1 = prod_{d|n} Phi_d,
+  // and Phi_d(E) E^{-phi(d)/2} = (content of the minimal polynomial of 2 cos at 2v) * cosine_minimal(d); (E+1)^2/E = 2
+  // (v+1).
   std::vector<std::vector<unsigned>> divisors(4 * l + 1);
   for (unsigned d = 1; d <= 4 * l; ++d)
     for (unsigned n = d; n <= 4 * l; n += d) divisors[n].push_back(d);
@@ -222,8 +321,8 @@ HessenbergSystem hessenberg_system(const Space& space) {
     for (size_t j = p.size() - 2; j > 0; --j) p[j] = p[j - 1] + p[j] * g[i];
     p[0] = p[0] * g[i];
   }
-  // difference[m][r] = [gamma_m..gamma_r] P by repeated synthetic division: no quotient of differences, so equal nodes are
-  // no special case.
+  // difference[m][r] = [gamma_m..gamma_r] P by repeated synthetic division: no quotient of differences, so equal nodes
+  // are no special case.
   std::vector<std::vector<Polynomial>> difference(l, std::vector<Polynomial>(l));
   for (size_t m = 0; m < l; ++m) {
     std::vector<Polynomial> q = p;
@@ -241,8 +340,9 @@ HessenbergSystem hessenberg_system(const Space& space) {
   for (size_t r = 1; r < l; ++r)
     for (size_t m = 0; m <= r; ++m) h.matrix[r - 1][m] = scaled(difference[m][r]);
   h.matrix[l - 1][0] = 1;
-  // Forward substitution with known denominators: w_m = (prod (2 + gamma_i)) n_m / D_m, D_m = prod over pairs i <= j with
-  // i <= m of (gamma_i + gamma_j); n_m polynomials. S(gamma_0) w_0 = 2 gives n_0 = 1 over D_0 = prod_j (gamma_0 + gamma_j).
+  // Forward substitution with known denominators: w_m = (prod (2 + gamma_i)) n_m / D_m, D_m = prod over pairs i <= j
+  // with i <= m of (gamma_i + gamma_j); n_m polynomials. S(gamma_0) w_0 = 2 gives n_0 = 1 over D_0 = prod_j (gamma_0 +
+  // gamma_j).
   std::vector<std::vector<Polynomial>> sum(l, std::vector<Polynomial>(l));
   for (size_t i = 0; i < l; ++i)
     for (size_t j = 0; j < l; ++j) sum[i][j] = g[i] + g[j];
@@ -366,8 +466,8 @@ RationalFunction folded_determinant(const Space& space, const FoldedSystem& syst
   for (size_t i = 0; i < l; ++i)
     for (size_t j = i; j < l; ++j) zeros.multiply(sums.factored(i, j));
   const FactoredPolynomial norm = normalisation(space);
-  // Rows 1..l-1 carry one 1/norm each, the last one too unless it is (2,..,2,1) = the sum of all rows, whose entries are
-  // free of it; then one factor S(2) = 2 is the constant's.
+  // Rows 1..l-1 carry one 1/norm each, the last one too unless it is (2,..,2,1) = the sum of all rows, whose entries
+  // are free of it; then one factor S(2) = 2 is the constant's.
   Polynomial one_norm = 1;
   for (const auto& [f, e] : norm.factors) one_norm *= f.pow(e);
   RationalFunction shape = RationalFunction(zeros.expanded());
@@ -423,7 +523,8 @@ std::string cosine_text(const Rational& angle) {
   if (angle == Rational(1, 3)) return "1/2";
   if (angle == Rational(2, 3)) return "-1/2";
   const Rational p(angle.numerator());
-  return "cos(" + (p == Rational(1) ? "" : p.to_string() + "*") + "pi/" + Rational(angle.denominator()).to_string() + ")";
+  return "cos(" + (p == Rational(1) ? "" : p.to_string() + "*") + "pi/" + Rational(angle.denominator()).to_string() +
+         ")";
 }
 
 std::string SingularSet::Value::exact() const { return cosine_text(angle); }
@@ -432,7 +533,8 @@ SingularSet singular_set(const Space& space) {
   SingularSet s;
   const std::vector<Node> node = nodes(space);
   const bool even = space.dimension() % 2 == 0;
-  // Sums whose vanishing stops a step: w_i + w_j for the interpolating scheme; 1 + w_i, the normalisation, for sigma alone.
+  // Sums whose vanishing stops a step: w_i + w_j for the interpolating scheme; 1 + w_i, the normalisation, for sigma
+  // alone.
   std::vector<std::pair<Node, Node>> sums;
   for (size_t i = 0; i < node.size(); ++i) {
     if (even)
@@ -441,8 +543,8 @@ SingularSet singular_set(const Space& space) {
       sums.emplace_back(node[i], Node{0, 0});
   }
   if (space.variables().size() == 1) {
-    // v^{k+1} = cos(phi), phi < pi/2^{k+1}: cos(a phi) + cos(b phi) = 0 iff (a + b) phi or (a - b) phi is an odd multiple of
-    // pi. Then v^0 = cos(2^{k+1} phi).
+    // v^{k+1} = cos(phi), phi < pi/2^{k+1}: cos(a phi) + cos(b phi) = 0 iff (a + b) phi or (a - b) phi is an odd
+    // multiple of pi. Then v^0 = cos(2^{k+1} phi).
     std::set<std::pair<Rational, unsigned>> found;
     for (const auto& [x, y] : sums) {
       const unsigned a = std::max(x.multiple, y.multiple);
@@ -455,17 +557,18 @@ SingularSet singular_set(const Space& space) {
       }
     }
     for (const auto& [angle, level] : found) s.values.push_back({angle, level});
-    std::sort(s.values.begin(), s.values.end(), [](const auto& a, const auto& b) {
-      return a.angle != b.angle ? b.angle < a.angle : a.level < b.level;
-    });
+    std::sort(s.values.begin(), s.values.end(),
+              [](const auto& a, const auto& b) { return a.angle != b.angle ? b.angle < a.angle : a.level < b.level; });
     return s;
   }
   std::vector<Polynomial> factors;
   for (const auto& [x, y] : sums)
     for (const auto& [f, e] : sum_of_nodes(space, x, y).factors)
-      if (!f.all_coefficients_nonnegative() && std::find(factors.begin(), factors.end(), f) == factors.end()) factors.push_back(f);
-  // A factor with a non-negative expansion cannot vanish for positive level variables; every other one changes sign there:
-  // w_i + w_j is positive at (1, .., 1) and takes negative values as soon as a Chebyshev polynomial of degree >= 2 occurs.
+      if (!f.all_coefficients_nonnegative() && std::find(factors.begin(), factors.end(), f) == factors.end())
+        factors.push_back(f);
+  // A factor with a non-negative expansion cannot vanish for positive level variables; every other one changes sign
+  // there: w_i + w_j is positive at (1, .., 1) and takes negative values as soon as a Chebyshev polynomial of degree >=
+  // 2 occurs.
   std::sort(factors.begin(), factors.end(), [](const auto& a, const auto& b) { return a.to_string() < b.to_string(); });
   s.conditions = std::move(factors);
   return s;

@@ -12,7 +12,8 @@ namespace twoscale {
 Laurent::Laurent(long lowest, std::vector<RationalFunction> coefficients)
     : lowest_(lowest), coefficients_(std::move(coefficients)) {
   while (!coefficients_.empty() && coefficients_.back().is_zero()) coefficients_.pop_back();
-  const auto first = std::find_if(coefficients_.begin(), coefficients_.end(), [](const auto& c) { return !c.is_zero(); });
+  const auto first =
+      std::find_if(coefficients_.begin(), coefficients_.end(), [](const auto& c) { return !c.is_zero(); });
   lowest_ += first - coefficients_.begin();
   coefficients_.erase(coefficients_.begin(), first);
   if (coefficients_.empty()) lowest_ = 0;
@@ -135,9 +136,10 @@ std::optional<Laurent> Laurent::quotient(const Laurent& a, const Laurent& b) {
   const size_t n = b.coefficients_.size();
   const size_t length = a.coefficients_.size() - n + 1;
   // A divisor with integer coefficients and leading coefficient 1 divides the numerators over one denominator.
-  const bool monic = b.coefficients_.back().is_one() && std::all_of(b.coefficients_.begin(), b.coefficients_.end(), [](const auto& c) {
-                       return c.is_polynomial() && c.denominator_content() == Rational(1);
-                     });
+  const bool monic =
+      b.coefficients_.back().is_one() && std::all_of(b.coefficients_.begin(), b.coefficients_.end(), [](const auto& c) {
+        return c.is_polynomial() && c.denominator_content() == Rational(1);
+      });
   std::vector<RationalFunction> q(length);
   if (monic) {
     const CommonDenominator d = common_denominator(a.coefficients_);

@@ -171,6 +171,7 @@ std::shared_ptr<const Rep> small_constant(long value) {
 Polynomial::Polynomial(long constant) : rep_(small_constant(constant)) {}
 
 Polynomial Polynomial::constant(const fmpz_t value) {
+  if (fmpz_is_zero(value) || fmpz_is_one(value)) return Polynomial(fmpz_get_si(value));
   RepPtr r = make(no_names);
   fmpz_poly_set_fmpz(r->dense, value);
   return wrap(r);
@@ -303,6 +304,15 @@ int Polynomial::compare(const Polynomial& a, const Polynomial& b) {
   if (a == b) return 0;
   if (a.total_degree() != b.total_degree()) return a.total_degree() < b.total_degree() ? -1 : 1;
   if (a.variables() != b.variables()) return a.variables() < b.variables() ? -1 : 1;
+  if (!rep(a).multivariate) {  // the same order as below, read off the coefficients
+    for (slong i = fmpz_poly_degree(rep(a).dense);; --i) {
+      const fmpz* p = rep(a).dense->coeffs + i;
+      const fmpz* q = rep(b).dense->coeffs + i;
+      if (fmpz_equal(p, q)) continue;
+      if (fmpz_is_zero(p) || fmpz_is_zero(q)) return fmpz_is_zero(p) ? -1 : 1;
+      return fmpz_cmp(p, q) < 0 ? -1 : 1;
+    }
+  }
   std::vector<std::pair<std::vector<unsigned long>, Rational>> x, y;
   const auto collect = [](auto& into) {
     return [&into](const Rational& c, std::span<const unsigned long> e) {
@@ -330,8 +340,39 @@ Polynomial Polynomial::pow(unsigned exponent) const {
   return wrap(canonical(std::move(r)));
 }
 
+namespace {
+
+// Sums of the coefficients of even and of odd powers.
+void halves(fmpz_t even, fmpz_t odd, const fmpz_poly_t p) {
+  for (slong i = 0; i < fmpz_poly_length(p); ++i) {
+    fmpz* sum = i % 2 == 0 ? even : odd;
+    fmpz_add(sum, sum, p->coeffs + i);
+  }
+}
+
+// What is cheap to see: b does not divide a because b(1) does not divide a(1), or because of the values at -1.
+bool cannot_divide(const fmpz_poly_t a, const fmpz_poly_t b) {
+  Integer a_even, a_odd, b_even, b_odd;
+  halves(a_even.v, a_odd.v, a);
+  halves(b_even.v, b_odd.v, b);
+  Integer x, y;
+  const auto divides = [&] { return fmpz_is_zero(y.v) ? fmpz_is_zero(x.v) : fmpz_divisible(x.v, y.v); };
+  fmpz_add(x.v, a_even.v, a_odd.v);
+  fmpz_add(y.v, b_even.v, b_odd.v);
+  if (divides() == 0) return true;
+  fmpz_sub(x.v, a_even.v, a_odd.v);
+  fmpz_sub(y.v, b_even.v, b_odd.v);
+  return divides() == 0;
+}
+
+}  // namespace
+
 std::optional<Polynomial> Polynomial::quotient(const Polynomial& a, const Polynomial& b) {
   if (b.is_zero()) throw std::logic_error("quotient by the zero polynomial");
+  if (!rep(a).multivariate && !rep(b).multivariate &&
+      (a.is_constant() || b.is_constant() || a.variables() == b.variables()) &&
+      cannot_divide(rep(a).dense, rep(b).dense))
+    return std::nullopt;
   bool divides = false;
   auto r = combine(
       rep(a), rep(b), [&](auto* q, const auto* x, const auto* y) { divides = fmpz_poly_divides(q, x, y) != 0; },
@@ -360,8 +401,9 @@ std::pair<Polynomial, unsigned> Polynomial::remove(const Polynomial& factor) con
 
 Polynomial Polynomial::gcd(const Polynomial& a, const Polynomial& b) {
   bool done = true;
-  auto r = combine(rep(a), rep(b), fmpz_poly_gcd,
-                   [&](auto* g, const auto* x, const auto* y, const auto* ctx) { done = fmpz_mpoly_gcd(g, x, y, ctx) != 0; });
+  auto r = combine(rep(a), rep(b), fmpz_poly_gcd, [&](auto* g, const auto* x, const auto* y, const auto* ctx) {
+    done = fmpz_mpoly_gcd(g, x, y, ctx) != 0;
+  });
   if (!done) throw Error(Error::Kind::undecided, "greatest common divisor could not be found");
   return wrap(std::move(r));
 }
@@ -381,7 +423,8 @@ Polynomial Polynomial::substitute(const std::string& variable, const Polynomial&
   if (std::find(rep_->names.begin(), rep_->names.end(), variable) == rep_->names.end()) return *this;
   // Horner in the variable, coefficients being polynomials in the others.
   std::map<unsigned long, Polynomial> coefficients;
-  const size_t place = static_cast<size_t>(std::find(rep_->names.begin(), rep_->names.end(), variable) - rep_->names.begin());
+  const size_t place =
+      static_cast<size_t>(std::find(rep_->names.begin(), rep_->names.end(), variable) - rep_->names.begin());
   for_each_term([&](const Rational& c, std::span<const unsigned long> e) {
     Polynomial term = Polynomial::constant(c.numerator());
     for (size_t i = 0; i < e.size(); ++i)
@@ -532,7 +575,8 @@ const fmpz_poly_struct* Polynomial::univariate_view() const {
 }
 
 std::string latex_name(const std::string& variable) {
-  static const std::vector<std::string> greek = {"alpha", "beta", "gamma", "delta", "theta", "lambda", "mu", "omega", "rho", "sigma", "tau"};
+  static const std::vector<std::string> greek = {"alpha", "beta",  "gamma", "delta", "theta", "lambda",
+                                                 "mu",    "omega", "rho",   "sigma", "tau"};
   const auto word = [](const std::string& w) {
     return std::find(greek.begin(), greek.end(), w) != greek.end() ? "\\" + w : w;
   };

@@ -28,7 +28,8 @@ Rational Rational::parse(std::string_view text) {
   const std::string s(text);
   const auto slash = s.find('/');
   const auto digits = [](std::string_view d) {
-    return !d.empty() && d.size() <= 200000 && std::all_of(d.begin(), d.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return !d.empty() && d.size() <= 200000 &&
+           std::all_of(d.begin(), d.end(), [](char c) { return c >= '0' && c <= '9'; });
   };
   const std::string head = s.substr(0, slash);
   const bool good = digits(head.starts_with('-') ? std::string_view(head).substr(1) : std::string_view(head)) &&
@@ -47,6 +48,10 @@ Rational Rational::parse(std::string_view text) {
 
 Rational Rational::binomial(const Rational& n, unsigned k) {
   Rational r(1);
+  if (n.is_integer() && n.sign() >= 0 && fmpz_abs_fits_ui(n.numerator())) {
+    fmpz_bin_uiui(fmpq_numref(r.value_), fmpz_get_ui(n.numerator()), k);
+    return r;
+  }
   for (unsigned i = 0; i < k; ++i) r = r * (n - Rational(static_cast<long>(i))) / Rational(static_cast<long>(i) + 1);
   return r;
 }
@@ -81,7 +86,10 @@ Rational operator-(const Rational& a, const Rational& b) {
 
 Rational operator*(const Rational& a, const Rational& b) {
   Rational r;
-  fmpq_mul(r.value_, a.value_, b.value_);
+  if (a.is_integer() && b.is_integer())
+    fmpz_mul(fmpq_numref(r.value_), a.numerator(), b.numerator());
+  else
+    fmpq_mul(r.value_, a.value_, b.value_);
   return r;
 }
 

@@ -68,11 +68,13 @@ RationalFunction RationalFunction::over_factors(Polynomial numerator, const Rati
   std::erase_if(factors, [](const auto& fe) { return fe.second == 0; });
   std::sort(factors.begin(), factors.end(),
             [](const auto& a, const auto& b) { return Polynomial::compare(a.first, b.first) < 0; });
-  // numerator / content with numerator's content c: c/content in lowest terms.
-  const Rational scale = numerator.content() / content;
-  numerator = Polynomial::exact_quotient(numerator, integer_polynomial(numerator.content()));
-  r.numerator_ = integer_polynomial(Rational(scale.numerator())) * numerator;
-  r.content_ = Rational(scale.denominator());
+  // Both integers are divided by their greatest common divisor, which also carries the denominator of a fractional content.
+  Rational common = gcd(numerator.content(), content);
+  if (content.sign() < 0) common = -common;
+  const Rational times = common.inverse();
+  r.numerator_ = Polynomial::exact_quotient(integer_polynomial(Rational(times.numerator())) * numerator,
+                                            integer_polynomial(Rational(times.denominator())));
+  r.content_ = content * times;
   r.factors_ = std::move(factors);
   return r;
 }
@@ -98,11 +100,13 @@ std::vector<std::string> RationalFunction::variables() const {
 
 bool RationalFunction::is_canonical() const {
   if (numerator_.is_zero()) return content_ == Rational(1) && factors_.empty();
-  if (content_.sign() <= 0 || !content_.is_integer() || gcd(content_, numerator_.content()) != Rational(1)) return false;
+  if (content_.sign() <= 0 || !content_.is_integer() || gcd(content_, numerator_.content()) != Rational(1))
+    return false;
   for (size_t i = 0; i < factors_.size(); ++i) {
     const auto& [f, e] = factors_[i];
     const auto g = f.factor();
-    if (e == 0 || f.leading_sign() <= 0 || g.content != Rational(1) || g.factors.size() != 1 || g.factors[0].second != 1)
+    if (e == 0 || f.leading_sign() <= 0 || g.content != Rational(1) || g.factors.size() != 1 ||
+        g.factors[0].second != 1)
       return false;
     if (Polynomial::quotient(numerator_, f)) return false;
     if (i > 0 && Polynomial::compare(factors_[i - 1].first, f) >= 0) return false;
@@ -115,8 +119,10 @@ RationalFunction operator+(const RationalFunction& a, const RationalFunction& b)
   if (b.is_zero()) return a;
   const Factors all = merge(a.factors_, b.factors_, larger);
   const Rational content = a.content_ * b.content_ / gcd(a.content_, b.content_);
-  const Polynomial x = a.numerator_ * expand(merge(all, a.factors_, missing)) * integer_polynomial(content / a.content_);
-  const Polynomial y = b.numerator_ * expand(merge(all, b.factors_, missing)) * integer_polynomial(content / b.content_);
+  const Polynomial x =
+      a.numerator_ * expand(merge(all, a.factors_, missing)) * integer_polynomial(content / a.content_);
+  const Polynomial y =
+      b.numerator_ * expand(merge(all, b.factors_, missing)) * integer_polynomial(content / b.content_);
   return RationalFunction::over_factors(x + y, content, all);
 }
 
@@ -192,7 +198,8 @@ namespace {
 
 std::string power(const Polynomial& f, unsigned e, Polynomial::Style style) {
   std::string s = f.pretty(style);
-  if (f.terms() > 1 || (e > 1 && f.total_degree() > 1)) s = (style == Polynomial::Style::latex ? "\\left(" + s + "\\right)" : "(" + s + ")");
+  if (f.terms() > 1 || (e > 1 && f.total_degree() > 1))
+    s = (style == Polynomial::Style::latex ? "\\left(" + s + "\\right)" : "(" + s + ")");
   if (e > 1) s += style == Polynomial::Style::latex ? "^{" + std::to_string(e) + "}" : "^" + std::to_string(e);
   return s;
 }

@@ -14,7 +14,8 @@ Scheme Scheme::from_symbol(std::string id, const Laurent& symbol, int arity, std
     if (symbol.at_one().is_zero()) bad_input("the mask has sum 0, no parametrisation exists", id);
   } else {
     std::vector<RationalFunction> weighted;
-    for (long i = symbol.lowest(); i <= symbol.highest(); ++i) weighted.push_back(RationalFunction(i) * symbol.coefficient(i));
+    for (long i = symbol.lowest(); i <= symbol.highest(); ++i)
+      weighted.push_back(RationalFunction(i) * symbol.coefficient(i));
     const RationalFunction mass = symbol.at_one();
     if (mass.is_zero()) bad_input("the mask has sum 0, no parametrisation exists", id);
     centre = (Laurent(0, std::move(weighted)).at_one() / mass).constant();
@@ -52,7 +53,8 @@ Laurent symbol(const Scheme& scheme) {
 namespace {
 
 bool has_scope(const Scheme& scheme, Parameter::Scope scope) {
-  return std::any_of(scheme.parameters.begin(), scheme.parameters.end(), [&](const auto& p) { return p.scope == scope; });
+  return std::any_of(scheme.parameters.begin(), scheme.parameters.end(),
+                     [&](const auto& p) { return p.scope == scope; });
 }
 
 }  // namespace

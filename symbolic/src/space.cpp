@@ -82,7 +82,8 @@ std::string constant_text(const ex& e) {
     else
       parts.push_back(constant_text(e.op(i)));
   std::sort(parts.begin(), parts.end());
-  for (size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : sum ? parts[i][0] == '-' ? "" : "+" : "*") + parts[i];
+  for (size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : sum ? parts[i][0] == '-' ? "" : "+" : "*") + parts[i];
   return sum ? "(" + text + ")" : text;
 }
 
@@ -104,7 +105,8 @@ void refuse_hidden_multiples(const LevelVariable& a, const LevelVariable& b) {
     if (q1 > Rational(1000000)) return;
     const Sign s = (x - ExactReal(p1 / q1) * y).sign(2048);
     if (s == Sign::zero || s == Sign::unknown)
-      bad_input("these frequencies are multiples of each other, write them with the same number", a.unit + ", " + b.unit);
+      bad_input("these frequencies are multiples of each other, write them with the same number",
+                a.unit + ", " + b.unit);
     r -= whole;
     if (r.is_zero()) return;
     r = r.inverse();
@@ -137,11 +139,14 @@ void read_frequency(const ex& c, Item& item, bool circular, int& sign, const std
       numeric content = 0;
       for (size_t i = 0; i < rest.nops(); ++i) {
         const ex t = rest.op(i);
-        const ex c0 = is_a<numeric>(t) ? t : is_a<GiNaC::mul>(t) && is_a<numeric>(t.op(t.nops() - 1)) ? t.op(t.nops() - 1) : ex(1);
+        const ex c0 = is_a<numeric>(t)                                           ? t
+                      : is_a<GiNaC::mul>(t) && is_a<numeric>(t.op(t.nops() - 1)) ? t.op(t.nops() - 1)
+                                                                                 : ex(1);
         const numeric n = ex_to<numeric>(c0);
         if (!n.is_rational()) bad_input("frequency has no exact value", text);
         content = content.is_zero() ? GiNaC::abs(n)
-                                    : GiNaC::gcd(content.numer() * n.denom(), GiNaC::abs(n.numer()) * content.denom()) / (content.denom() * n.denom());
+                                    : GiNaC::gcd(content.numer() * n.denom(), GiNaC::abs(n.numer()) * content.denom()) /
+                                          (content.denom() * n.denom());
       }
       q = q * content;
       rest = (rest / content).expand();
@@ -191,7 +196,8 @@ Item read_item(const std::string& text, Symbols& symbols) {
                                                                        {"cos", {Form::cosh, true}},
                                                                        {"sin", {Form::sinh, true}}};
     const bool known = is_a<GiNaC::function>(f) && forms.contains(ex_to<GiNaC::function>(f).get_name());
-    if (!known || item.exponential) bad_input("not an item x^r, x^r*exp(t*x), x^r*cosh, sinh, cos, sin of a space", text);
+    if (!known || item.exponential)
+      bad_input("not an item x^r, x^r*exp(t*x), x^r*cosh, sinh, cos, sin of a space", text);
     const auto [form, circular] = forms.at(ex_to<GiNaC::function>(f).get_name());
     const ex argument = f.op(0).expand();
     const ex c = argument.coeff(x, 1);
@@ -237,7 +243,8 @@ Space Space::parse(std::string_view text) {
       polynomial[item.power] = true;
       continue;
     }
-    auto g = std::find_if(groups.begin(), groups.end(), [&](const Group& o) { return o.variable.same_group(item.group); });
+    auto g =
+        std::find_if(groups.begin(), groups.end(), [&](const Group& o) { return o.variable.same_group(item.group); });
     if (g == groups.end()) g = groups.insert(groups.end(), Group{item.group, {}});
     auto& forms = g->listed[item.group.factor][item.power];
     if (!forms.insert(item.form).second) bad_input("item stands twice in the space", piece);
@@ -267,7 +274,8 @@ Space Space::parse(std::string_view text) {
         const auto at = powers.find(r);
         const std::set<Form> have = at == powers.end() ? std::set<Form>{} : at->second;
         if (have.size() == 2) continue;
-        const bool by_exp = have.empty() ? exponentials : have.contains(Form::exp_plus) || have.contains(Form::exp_minus);
+        const bool by_exp =
+            have.empty() ? exponentials : have.contains(Form::exp_plus) || have.contains(Form::exp_minus);
         for (const Form f : by_exp ? std::vector{Form::exp_plus, Form::exp_minus} : std::vector{Form::cosh, Form::sinh})
           if (!have.contains(f)) missing.push_back(write(f, frequency, g.variable.trigonometric, r));
       }
@@ -277,6 +285,10 @@ Space Space::parse(std::string_view text) {
     }
     LevelVariable v = g.variable;
     v.factor = base;
+    // v = cos(s/m^{k+1}) follows from v^0 = cos(s) by the recurrence only for |s| < pi (contract of the level
+    // variable).
+    if (const auto s = v.value(); s && v.trigonometric && (ExactReal::pi() - *s).sign() != Sign::positive)
+      bad_input("a frequency of cosines must be less than pi", v.frequency());
     space.variables_.push_back(std::move(v));
   }
   if (!missing.empty()) {
@@ -350,17 +362,25 @@ std::string Space::to_string() const {
 
 std::string Space::to_latex() const {
   std::string s;
-  for (unsigned r = 0; r < polynomial_order_; ++r) s += (s.empty() ? "" : ", ") + (r < 2 ? power_of_x(r) : "x^{" + std::to_string(r) + "}");
+  for (unsigned r = 0; r < polynomial_order_; ++r)
+    s += (s.empty() ? "" : ", ") + (r < 2 ? power_of_x(r) : "x^{" + std::to_string(r) + "}");
   for (const auto& e : exponentials_) {
     const LevelVariable& v = variables_[e.variable];
     const Rational q = v.factor * Rational(static_cast<long>(e.multiple));
-    const std::string unit = v.symbol.empty() ? (v.unit == "1" ? "" : v.unit == "pi" ? "\\pi " : v.unit) : latex_name(v.symbol) + " ";
-    const std::string number = q == Rational(1) ? "" : q.is_integer() ? q.to_string() : "\\tfrac{" + Rational(q.numerator()).to_string() + "}{" + Rational(q.denominator()).to_string() + "}";
+    const std::string unit = v.symbol.empty() ? (v.unit == "1"    ? ""
+                                                 : v.unit == "pi" ? "\\pi "
+                                                                  : v.unit)
+                                              : latex_name(v.symbol) + " ";
+    const std::string number = q == Rational(1) ? ""
+                               : q.is_integer() ? q.to_string()
+                                                : "\\tfrac{" + Rational(q.numerator()).to_string() + "}{" +
+                                                      Rational(q.denominator()).to_string() + "}";
     const std::string f = number + unit + "x";
     for (unsigned r = 0; r < e.order; ++r) {
       const std::string x = r == 0 ? "" : r == 1 ? "x\\," : "x^{" + std::to_string(r) + "}";
       s += s.empty() ? "" : ", ";
-      s += v.trigonometric ? x + "\\cos(" + f + "), " + x + "\\sin(" + f + ")" : x + "e^{" + f + "}, " + x + "e^{-" + f + "}";
+      s += v.trigonometric ? x + "\\cos(" + f + "), " + x + "\\sin(" + f + ")"
+                           : x + "e^{" + f + "}, " + x + "e^{-" + f + "}";
     }
   }
   return s;
@@ -372,11 +392,13 @@ Space::Rebased Space::rebase(const Space& space, const std::vector<LevelVariable
   r.space.variables_ = reference;
   r.scale.assign(reference.size(), 1);
   for (const auto& v : space.variables_) {
-    auto at = std::find_if(r.space.variables_.begin(), r.space.variables_.end(), [&](const auto& o) { return o.same_group(v); });
+    auto at = std::find_if(r.space.variables_.begin(), r.space.variables_.end(),
+                           [&](const auto& o) { return o.same_group(v); });
     if (at == r.space.variables_.end()) {
       LevelVariable own = v;
       // A name of its own beside the reference's.
-      while (std::any_of(r.space.variables_.begin(), r.space.variables_.end(), [&](const auto& o) { return o.name == own.name; }))
+      while (std::any_of(r.space.variables_.begin(), r.space.variables_.end(),
+                         [&](const auto& o) { return o.name == own.name; }))
         own.name += "_" + (own.symbol.empty() ? std::string("c") : own.symbol);
       at = r.space.variables_.insert(r.space.variables_.end(), own);
     }
@@ -390,7 +412,8 @@ Space::Rebased Space::rebase(const Space& space, const std::vector<LevelVariable
     at->factor = base;
     const unsigned own_scale = stretch(v.factor / base);
     for (const auto& e : space.exponentials_)
-      if (space.variables_[e.variable].same_group(v)) r.space.exponentials_.push_back({index, e.multiple * own_scale, e.order});
+      if (space.variables_[e.variable].same_group(v))
+        r.space.exponentials_.push_back({index, e.multiple * own_scale, e.order});
   }
   std::sort(r.space.exponentials_.begin(), r.space.exponentials_.end(), [](const Exponential& a, const Exponential& b) {
     return std::tie(a.variable, a.multiple) < std::tie(b.variable, b.multiple);
@@ -407,7 +430,8 @@ std::vector<Node> nodes(const Space& space) {
 std::vector<Polynomial> cosh_nodes(const Space& space) {
   std::vector<Polynomial> w;
   for (const Node& n : nodes(space))
-    w.push_back(n.multiple == 0 ? Polynomial(1) : Polynomial::chebyshev(space.variables()[n.variable].name, n.multiple));
+    w.push_back(n.multiple == 0 ? Polynomial(1)
+                                : Polynomial::chebyshev(space.variables()[n.variable].name, n.multiple));
   return w;
 }
 

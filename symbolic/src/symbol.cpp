@@ -44,8 +44,9 @@ Polynomial FactoredPolynomial::expanded() const {
 void FactoredPolynomial::multiply(const FactoredPolynomial& o) {
   content *= o.content;
   for (const auto& [f, e] : o.factors) {
-    const auto at = std::lower_bound(factors.begin(), factors.end(), f,
-                                     [](const auto& a, const Polynomial& b) { return Polynomial::compare(a.first, b) < 0; });
+    const auto at = std::lower_bound(factors.begin(), factors.end(), f, [](const auto& a, const Polynomial& b) {
+      return Polynomial::compare(a.first, b) < 0;
+    });
     if (at != factors.end() && at->first == f)
       at->second += e;
     else
@@ -56,6 +57,10 @@ void FactoredPolynomial::multiply(const FactoredPolynomial& o) {
 FactoredPolynomial sum_of_nodes(const Space& space, const Node& a, const Node& b) {
   const Polynomial value = node_polynomial(space, a) + node_polynomial(space, b);
   if (value.is_constant()) return {value.constant_value(), {}};
+  if (value.total_degree() == 1) {  // a positive multiple of v, 1 + v or v_s + v_t
+    const Rational content = value.content();
+    return {content, {{Polynomial::exact_quotient(value, Polynomial::constant(content.numerator())), 1}}};
+  }
   const bool same = a.multiple == 0 || b.multiple == 0 || a.variable == b.variable;
   if (!same) {
     auto f = value.factor();
@@ -73,7 +78,8 @@ FactoredPolynomial sum_of_nodes(const Space& space, const Node& a, const Node& b
     const unsigned exponent = d == 2 ? e / 2 : e;
     if (exponent > 0) factors.emplace_back(Polynomial::cosine_minimal(name, d), exponent);
   }
-  std::sort(factors.begin(), factors.end(), [](const auto& x, const auto& y) { return Polynomial::compare(x.first, y.first) < 0; });
+  std::sort(factors.begin(), factors.end(),
+            [](const auto& x, const auto& y) { return Polynomial::compare(x.first, y.first) < 0; });
   return with_content_of(value, std::move(factors));
 }
 
@@ -91,10 +97,10 @@ Laurent bspline_symbol(const Space& space, int arity) {
     std::vector<Polynomial> c(static_cast<size_t>(2 * m - 1));
     for (long j = 0; j <= 2 * m - 2; ++j)
       for (long b = std::max(0L, j - m + 1); b <= std::min(j, m - 1); ++b)
-        c[static_cast<size_t>(j)] += n.multiple == 0
-                                         ? Polynomial(1)
-                                         : Polynomial::chebyshev(space.variables()[n.variable].name,
-                                                                 static_cast<unsigned>(std::abs(j - 2 * b)) * n.multiple);
+        c[static_cast<size_t>(j)] +=
+            n.multiple == 0 ? Polynomial(1)
+                            : Polynomial::chebyshev(space.variables()[n.variable].name,
+                                                    static_cast<unsigned>(std::abs(j - 2 * b)) * n.multiple);
     return c;
   };
   std::vector<Polynomial> product{Polynomial(1)};

@@ -32,7 +32,9 @@ bool accepted(const std::string& text) { return check::check_text(text).status =
 std::vector<std::string> token_mutants(const std::string& text) {
   std::vector<std::string> list;
   const auto kind = [](char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 ? 1 : std::isdigit(static_cast<unsigned char>(c)) != 0 ? 2 : 0;
+    return std::isalpha(static_cast<unsigned char>(c)) != 0   ? 1
+           : std::isdigit(static_cast<unsigned char>(c)) != 0 ? 2
+                                                              : 0;
   };
   for (size_t i = 0; i < text.size();) {
     if (std::isspace(static_cast<unsigned char>(text[i])) != 0) {
@@ -44,7 +46,9 @@ std::vector<std::string> token_mutants(const std::string& text) {
     const std::string token = text.substr(i, end - i);
     std::vector<std::string> replacements;
     if (kind(text[i]) == 2) {
-      replacements = {token + "0", token == "1" ? "2" : "1", token.back() == '7' ? token.substr(0, token.size() - 1) + "8" : token.substr(0, token.size() - 1) + "7", ""};
+      replacements = {
+          token + "0", token == "1" ? "2" : "1",
+          token.back() == '7' ? token.substr(0, token.size() - 1) + "8" : token.substr(0, token.size() - 1) + "7", ""};
     } else if (kind(text[i]) == 1) {
       replacements = {token + "x", token.substr(1), "proved", "w"};
     } else {
@@ -121,7 +125,8 @@ TEST_P(Mutation, AChangedClaimIsRefusedEvenSealedAnew) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, Mutation,
-                         testing::Values("interpolating:family=mixed,l=3", "interpolating:family=harmonic,l=3", "dd:l=2", "mixed:n=2",
+                         testing::Values("interpolating:family=mixed,l=3", "interpolating:family=harmonic,l=3",
+                                         "dd:l=2", "mixed:n=2",
                                          "interpolating:space=\"1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\""));
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `prove` says is true: every claim of every catalog entry, refutations by hand, agreement with a brute-force step,
-// and every certificate is accepted by the independent checker.
+// What `prove` says is true: every claim of every catalog entry, refutations by hand, agreement with a brute-force
+// step, and every certificate is accepted by the independent checker.
 #include "twoscale/analysis/prove.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,8 @@ class Catalog : public testing::TestWithParam<std::string> {};
 TEST_P(Catalog, ClaimsOfTheSourceAreProvedAndRecheck) {
   const Scheme s = make_scheme(GetParam());
   const Proof proof = prove(s, default_claims(s));
-  for (const auto& d : proof.decisions) EXPECT_EQ(to_string(d.verdict), "proved") << d.claim << " {" << d.subject << "}: " << d.witness;
+  for (const auto& d : proof.decisions)
+    EXPECT_EQ(to_string(d.verdict), "proved") << d.claim << " {" << d.subject << "}: " << d.witness;
   const check::Report report = check::check_text(proof.certificate);
   EXPECT_EQ(report.status, check::Report::valid) << report.message;
   EXPECT_EQ(prove(s, default_claims(s)).certificate, proof.certificate) << "not deterministic";
@@ -111,7 +112,8 @@ TEST(WellDefined, ExceptionsWithTheirLevels) {
   EXPECT_TRUE(decide("interpolating:family=mixed,l=5", "well-defined").exceptions.empty());
   // {1, x, e^{+-it}, e^{+-3it}}: v^0 = -1/2 fails at level 0 and, from another factor, at level 1.
   EXPECT_EQ(decide("interpolating:space=\"1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)\"", "well-defined").exceptions,
-            (std::vector<std::string>{"v0 = -1/2 (level 0)", "v0 = -1/2 (level 1)", "v0 = 0 (level 0)", "v0 = 1/2 (level 0)"}));
+            (std::vector<std::string>{"v0 = -1/2 (level 0)", "v0 = -1/2 (level 1)", "v0 = 0 (level 0)",
+                                      "v0 = 1/2 (level 0)"}));
 }
 
 TEST(Claims, UnknownOnesAreBadInput) {
@@ -139,16 +141,18 @@ bool reproduces_by_brute_force(const Scheme& s, unsigned degree) {
 }
 
 TEST(BruteForce, PolynomialReproductionAgrees) {
-  for (const std::string scheme : {"dd:l=2", "dd:l=3", "bspline:n=1", "bspline:n=2", "bspline:n=3", "bspline:n=4", "bspline:n=2,arity=3",
-                                   "bspline:n=3,arity=3", "bspline:n=3,arity=4", "mask:coefficients=\"1/4,3/4,3/4,1/4\"",
-                                   "mask:coefficients=\"-1/32,-1/32,9/32,25/32,25/32,9/32,-1/32,-1/32\"",
-                                   "mask:coefficients=\"1/4,1/2,1/3,1/2,5/12\"", "mask:arity=3,coefficients=\"1/3,2/3,1,2/3,1/3\""}) {
+  for (const std::string scheme :
+       {"dd:l=2", "dd:l=3", "bspline:n=1", "bspline:n=2", "bspline:n=3", "bspline:n=4", "bspline:n=2,arity=3",
+        "bspline:n=3,arity=3", "bspline:n=3,arity=4", "mask:coefficients=\"1/4,3/4,3/4,1/4\"",
+        "mask:coefficients=\"-1/32,-1/32,9/32,25/32,25/32,9/32,-1/32,-1/32\"",
+        "mask:coefficients=\"1/4,1/2,1/3,1/2,5/12\"", "mask:arity=3,coefficients=\"1/3,2/3,1,2/3,1/3\""}) {
     const Scheme s = make_scheme(scheme);
     std::string space;
     for (unsigned r = 0; r <= 5; ++r) {
       space += (r == 0 ? "1" : ", x^" + std::to_string(r));
       const Decision d = decide(scheme, "reproduces", space);
-      EXPECT_EQ(d.verdict == Verdict::proved, reproduces_by_brute_force(s, r)) << scheme << " degree " << r << " " << d.witness;
+      EXPECT_EQ(d.verdict == Verdict::proved, reproduces_by_brute_force(s, r))
+          << scheme << " degree " << r << " " << d.witness;
     }
   }
 }

@@ -71,7 +71,8 @@ TEST_P(Contract, PhasesAndSymbolAgree) {
       entries += stencil.blocks[h][0].is_zero() ? 0 : 1;
     }
   }
-  EXPECT_EQ(entries, std::count_if(a.coefficients().begin(), a.coefficients().end(), [](const auto& c) { return !c.is_zero(); }));
+  EXPECT_EQ(entries, std::count_if(a.coefficients().begin(), a.coefficients().end(),
+                                   [](const auto& c) { return !c.is_zero(); }));
 }
 
 TEST_P(Contract, ParametersAreTheVariablesOfTheMask) {
@@ -114,8 +115,9 @@ TEST_P(Contract, LimitIsTheStationarySchemeOfTheSameDimension) {
 }
 
 TEST_P(Contract, ClaimsCanBeRead) {
-  static const std::set<std::string> known = {"interpolatory", "generates", "reproduces", "maximal",     "symmetric",   "sum-rules",
-                                              "continuity",    "spectrum",  "contractive", "well-defined"};
+  static const std::set<std::string> known = {"interpolatory", "generates",   "reproduces", "maximal",
+                                              "symmetric",     "sum-rules",   "continuity", "spectrum",
+                                              "contractive",   "well-defined"};
   std::set<std::pair<std::string, std::string>> seen;
   for (const Claim& c : scheme_.claims) {
     EXPECT_TRUE(known.contains(c.name)) << c.name;
@@ -124,7 +126,8 @@ TEST_P(Contract, ClaimsCanBeRead) {
       EXPECT_NO_THROW({
         const Space space = Space::parse(c.subject);
         EXPECT_EQ(space.to_string(), c.subject);
-      }) << c.name << "=" << c.subject;
+      }) << c.name
+         << "=" << c.subject;
     } else if (c.name == "sum-rules") {
       EXPECT_GT(Rational::parse(c.subject).to_long(), 0);
     }
@@ -144,7 +147,8 @@ TEST_P(Contract, EasyClaimsAreTrue) {
       for (long r = 0; r < Rational::parse(c.subject).to_long(); ++r) {
         std::vector<RationalFunction> sums(static_cast<size_t>(scheme_.arity));
         for (long i = a.lowest(); i <= a.highest(); ++i)
-          sums[static_cast<size_t>(((i % scheme_.arity) + scheme_.arity) % scheme_.arity)] += RationalFunction(Rational(i).pow(r)) * a.coefficient(i);
+          sums[static_cast<size_t>(((i % scheme_.arity) + scheme_.arity) % scheme_.arity)] +=
+              RationalFunction(Rational(i).pow(r)) * a.coefficient(i);
         for (const auto& s : sums) EXPECT_EQ(s, sums[0]) << "power " << r;
       }
     }
@@ -172,7 +176,8 @@ TEST(Catalog, EntriesAreComplete) {
     }
     for (const auto& e : entry.examples) EXPECT_EQ(parse_scheme_name(e).id, entry.id);
   }
-  for (const char* id : {"bspline", "exponential-bspline", "mixed", "harmonic", "resonant", "interpolating", "dd", "tension4", "mask"})
+  for (const char* id :
+       {"bspline", "exponential-bspline", "mixed", "harmonic", "resonant", "interpolating", "dd", "tension4", "mask"})
     EXPECT_TRUE(ids.contains(id)) << id;
 }
 
@@ -232,7 +237,9 @@ TEST(Catalog, UnusableValuesAreNamed) {
 }
 
 TEST(Catalog, DifferentNamesOfOneScheme) {
-  const auto same = [](const char* a, const char* b) { EXPECT_EQ(symbol(make_scheme(a)), symbol(make_scheme(b))) << a << " " << b; };
+  const auto same = [](const char* a, const char* b) {
+    EXPECT_EQ(symbol(make_scheme(a)), symbol(make_scheme(b))) << a << " " << b;
+  };
   same("tension4", "interpolating:family=mixed,l=2");
   same("tension4", "interpolating:space=\"exp(-t*x),1,exp(t*x),x\"");
   same("interpolating:family=harmonic,l=2", "interpolating:family=resonant,l=2");
@@ -246,10 +253,13 @@ TEST(Catalog, DifferentNamesOfOneScheme) {
 
 TEST(Catalog, FamilySpaces) {
   EXPECT_EQ(family_space("mixed", 3).to_string(), Space::parse("1,x,x^2,x^3,exp(t*x),exp(-t*x)").to_string());
-  EXPECT_EQ(family_space("harmonic", 2).to_string(), Space::parse("1,x,exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)").to_string());
-  EXPECT_EQ(family_space("resonant", 2).to_string(), Space::parse("1,x,exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x)").to_string());
+  EXPECT_EQ(family_space("harmonic", 2).to_string(),
+            Space::parse("1,x,exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)").to_string());
+  EXPECT_EQ(family_space("resonant", 2).to_string(),
+            Space::parse("1,x,exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x)").to_string());
   for (const char* family : {"mixed", "harmonic", "resonant"})
-    for (unsigned l = 2; l <= 10; ++l) EXPECT_EQ(family_space(family, family_member(family, l)).dimension(), 2 * l) << family;
+    for (unsigned l = 2; l <= 10; ++l)
+      EXPECT_EQ(family_space(family, family_member(family, l)).dimension(), 2 * l) << family;
   EXPECT_THROW(family_space("cubic", 2), Error);
 }
 

@@ -23,7 +23,8 @@ TEST(SchemeName, Parts) {
 }
 
 TEST(SchemeName, APieceWithoutNameBelongsToTheValueBeforeIt) {
-  EXPECT_EQ(keys("a:space=1,x,exp(t*x),exp(-t*x),arity=3"), (Keys{{"arity", "3"}, {"space", "1,x,exp(t*x),exp(-t*x)"}}));
+  EXPECT_EQ(keys("a:space=1,x,exp(t*x),exp(-t*x),arity=3"),
+            (Keys{{"arity", "3"}, {"space", "1,x,exp(t*x),exp(-t*x)"}}));
   EXPECT_EQ(keys("a:space=\"1,x\",l=2"), (Keys{{"l", "2"}, {"space", "1,x"}}));
   EXPECT_EQ(keys("a:lowest=-2,coefficients=1/8,1/2,3/4"), (Keys{{"coefficients", "1/8,1/2,3/4"}, {"lowest", "-2"}}));
 }
@@ -36,15 +37,16 @@ TEST(SchemeName, BracketsAndQuotesNeverSplit) {
 }
 
 TEST(SchemeName, QuotesMakeNoDifference) {
-  for (const auto& [a, b] : {std::pair("x:space=\"1,x,exp(t*x)\",l=2", "x:space=1,x,exp(t*x),l=2"), std::pair("x:n=\"3\"", "x:n=3"),
-                             std::pair("x:l=2,space=1,x", "x:space=1,x,l=2")}) {
+  for (const auto& [a, b] : {std::pair("x:space=\"1,x,exp(t*x)\",l=2", "x:space=1,x,exp(t*x),l=2"),
+                             std::pair("x:n=\"3\"", "x:n=3"), std::pair("x:l=2,space=1,x", "x:space=1,x,l=2")}) {
     EXPECT_EQ(keys(a), keys(b));
     EXPECT_EQ(parse_scheme_name(a).to_string(), parse_scheme_name(b).to_string());
   }
 }
 
 TEST(SchemeName, CanonicalSpellingReadsBack) {
-  for (const char* text : {"tension4", "bspline:n=3", "a:space=1,x,exp(t*x)", "a:d=[1,2,3],c=(1,2)", "a:s=\"\"", "a:z=1,y=2,x=3,4", "a:s=\" 1, x \""}) {
+  for (const char* text : {"tension4", "bspline:n=3", "a:space=1,x,exp(t*x)", "a:d=[1,2,3],c=(1,2)", "a:s=\"\"",
+                           "a:z=1,y=2,x=3,4", "a:s=\" 1, x \""}) {
     const SchemeName name = parse_scheme_name(text);
     const SchemeName again = parse_scheme_name(name.to_string());
     EXPECT_EQ(again.id, name.id) << text;
@@ -70,6 +72,8 @@ TEST(SchemeName, Errors) {
   EXPECT_EQ(offending("a:=3"), "=3");
   EXPECT_EQ(offending("a:s=\"1,x"), "\"1,x");  // a quote without its partner
   EXPECT_EQ(offending("a:s=1\"2\""), "1\"2\"");
+  for (const char* text : {"a:n=]", "a:n=(", "a:s=\"(\",n=2", "a:s=)(", "a:d=[1,2,n=3"})
+    EXPECT_THROW(parse_scheme_name(text), Error) << text;
   EXPECT_THROW(parse_scheme_name(""), Error);
   EXPECT_THROW(parse_scheme_name("   "), Error);
 }

@@ -21,6 +21,27 @@ Polynomial read(std::string_view text) {
   return parse_polynomial(text, names, "p", meter);
 }
 
+/// The canonical spelling, written once more.
+std::string text_of(const Polynomial& p) {
+  std::string out;
+  for (const auto& [monomial, coefficient] : p) {
+    std::string factors;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (monomial[i] != 0) factors += "*" + names[i] + (monomial[i] == 1 ? "" : "^" + std::to_string(monomial[i]));
+    }
+    std::string size = Integer(abs(coefficient)).str() + factors;
+    if (!factors.empty() && abs(coefficient) == 1) size = factors.substr(1);
+    out += (coefficient < 0 ? "-" : out.empty() ? "" : "+") + size;
+  }
+  return out.empty() ? "0" : out;
+}
+
+Polynomial multiply(const Polynomial& p, const Polynomial& q, Meter& meter) {
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : q) add_scaled(result, p, coefficient, monomial, meter);
+  return result;
+}
+
 Dense times(const Dense& p, const Dense& q) {
   Dense result(p.size() + q.size() - 1);
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -33,7 +54,7 @@ TEST(Polynomial, CanonicalTextIsReadAndWritten) {
   for (const char* text :
        {"0", "1", "-1", "u", "-u", "u^2-u+1", "3*u^4096", "-u*v_s^2*v_t^3+17*v_s*v_t-v_t^2-12345678901234567890",
         "u*v_t+v_s^5", "2*u^2*v_s-2*u^2*v_t-7"}) {
-    EXPECT_EQ(text_of(read(text), names), text);
+    EXPECT_EQ(text_of(read(text)), text);
   }
 }
 
@@ -102,25 +123,19 @@ TEST(Polynomial, DivisionUndoesMultiplicationAndNothingElse) {
     const Polynomial p = make();
     Polynomial g = make();
     if (g.empty()) continue;
-    Polynomial product = multiply(p, g, meter);
-    const Polynomial untouched = product;
-    ASSERT_TRUE(divide_out(product, g, meter)) << text_of(p, names) << " / " << text_of(g, names);
-    EXPECT_EQ(product, p);
-    if (g.size() == 1) continue;  // a monomial may divide product + monomial
-    Polynomial disturbed = untouched;
+    const Polynomial product = multiply(p, g, meter);
+    ASSERT_EQ(quotient(product, g, meter), p) << text_of(p) << " / " << text_of(g);
+    if (g.size() == 1) continue;  // two terms at least never divide a monomial
+    Polynomial disturbed = product;
     add_term(disturbed, Monomial{1, 1, 1}, 1, meter);
-    Polynomial copy = disturbed;
-    if (divide_out(copy, g, meter)) {  // then g divides the monomial: impossible for g with two terms
-      ADD_FAILURE() << text_of(disturbed, names) << " / " << text_of(g, names);
-    }
-    EXPECT_EQ(copy, disturbed);
+    EXPECT_FALSE(quotient(disturbed, g, meter)) << text_of(disturbed) << " / " << text_of(g);
   }
 }
 
 TEST(Polynomial, LevelVariablesCanBeSetToOne) {
   Meter meter;
   const std::vector<std::size_t> level{1, 2};
-  EXPECT_EQ(text_of(at_one(read("u^2*v_s-u^2*v_t+3*u*v_t+v_s+4"), level, meter), names), "3*u+5");
+  EXPECT_EQ(text_of(at_one(read("u^2*v_s-u^2*v_t+3*u*v_t+v_s+4"), level, meter)), "3*u+5");
 }
 
 TEST(Univariate, SturmCountsDistinctZeros) {
@@ -235,6 +250,7 @@ TEST(Cyclotomic, OrderOfAnAngle) {
   EXPECT_EQ(root_order({0, {1, 2}}, 3), 12U);  // v = cos(pi/6)
   EXPECT_EQ(root_order({1000000, {1, 2}}, 64), std::nullopt);
   EXPECT_EQ(root_order({60, {1, 2}}, 2), std::nullopt);
+  EXPECT_EQ(root_order({0, {1, 999983}}, 2), std::nullopt);
 }
 
 TEST(Number, Grammar) {

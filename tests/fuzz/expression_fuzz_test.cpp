@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Texts from outside: expressions, spaces and scheme names, mutated or random. The only way out is a value or an Error, soon.
+/// Texts from outside: expressions, spaces and scheme names, mutated or random. The only way out is a value or an
+/// Error, soon.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,7 +13,7 @@
 namespace twoscale::tests {
 namespace {
 
-/// Runs f; what it may throw is an Error, and it has two seconds (a hang would show as a timeout of the whole test).
+/// Runs f; what it may throw is an Error, and it has ten seconds (a hang would show as a timeout of the whole test).
 template <class F>
 void survives(const std::string& text, F f) {
   const auto start = std::chrono::steady_clock::now();
@@ -24,7 +25,7 @@ void survives(const std::string& text, F f) {
     ADD_FAILURE() << "'" << text << "' threw " << e.what();
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(seconds.count(), 2) << "'" << text << "'";
+  EXPECT_LT(seconds.count(), 10) << "'" << text << "'";
 }
 
 void read_everything(const std::string& text) {
@@ -34,13 +35,23 @@ void read_everything(const std::string& text) {
   survives(text, [&] { parse_scheme_name(text); });
 }
 
-const std::vector<std::string> expressions = {"-(4*v + 1)*(4*v^2 + 2*v - 1)/(64*v^3*(v + 1)^2)", "cos(2*pi/5) - (sqrt(5)-1)/4",
-                                              "exp(-t*x/3)*x^2", "acosh(cosh(3/5))^2", "1.5e-3 + 2^-1 - .25", "((v_s+1)*(v_t-1))^3/(v_s+v_t)"};
-const std::vector<std::string> spaces = {"1, x, x^2, exp(t*x), exp(-t*x)", "1, x, cos(s*x), sin(s*x), x*cos(s*x), x*sin(s*x)",
-                                         "exp(t*x/2), exp(-t*x/2), exp(t*x/3), exp(-t*x/3)", "1, cos(2*pi/7*x), sin(2*pi/7*x)",
-                                         "exp((1+sqrt(2))*x), exp(-(1+sqrt(2))*x), cosh(x), sinh(x)"};
-const std::vector<std::string> schemes = {"interpolating:family=mixed,l=3", "interpolating:space=\"1,x,exp(t*x),exp(-t*x)\"", "bspline:n=3,arity=3",
-                                          "mask:coefficients=\"-w,0,1/2+w,1,1/2+w,0,-w\",lowest=-3", "tension4", "harmonic:n=2", "dd:l=4"};
+const std::vector<std::string> expressions = {"-(4*v + 1)*(4*v^2 + 2*v - 1)/(64*v^3*(v + 1)^2)",
+                                              "cos(2*pi/5) - (sqrt(5)-1)/4",
+                                              "exp(-t*x/3)*x^2",
+                                              "acosh(cosh(3/5))^2",
+                                              "1.5e-3 + 2^-1 - .25",
+                                              "((v_s+1)*(v_t-1))^3/(v_s+v_t)"};
+const std::vector<std::string> spaces = {
+    "1, x, x^2, exp(t*x), exp(-t*x)", "1, x, cos(s*x), sin(s*x), x*cos(s*x), x*sin(s*x)",
+    "exp(t*x/2), exp(-t*x/2), exp(t*x/3), exp(-t*x/3)", "1, cos(2*pi/7*x), sin(2*pi/7*x)",
+    "exp((1+sqrt(2))*x), exp(-(1+sqrt(2))*x), cosh(x), sinh(x)"};
+const std::vector<std::string> schemes = {"interpolating:family=mixed,l=3",
+                                          "interpolating:space=\"1,x,exp(t*x),exp(-t*x)\"",
+                                          "bspline:n=3,arity=3",
+                                          "mask:coefficients=\"-w,0,1/2+w,1,1/2+w,0,-w\",lowest=-3",
+                                          "tension4",
+                                          "harmonic:n=2",
+                                          "dd:l=4"};
 
 TEST(ExpressionFuzz, RandomBytes) {
   std::mt19937_64 random(20240601);
@@ -52,8 +63,10 @@ TEST(ExpressionFuzz, RandomBytes) {
 }
 
 TEST(ExpressionFuzz, RandomTokens) {
-  static const std::vector<std::string> tokens = {"1", "2", "9", "0", "x", "t", "v", "+", "-", "*", "/", "^", "(", ")", ",", "exp(", "cos(", "sqrt(", "log(", "pi", "I",
-                                                  ".", "e3", "cosh(", "acos(", "atan(", "=", ":", "\"", "[", "]", " ", "**", "sin(", "tan(", "0.5", "x^2", "t*x"};
+  static const std::vector<std::string> tokens = {
+      "1", "2", "9",    "0",    "x",     "t",    "v",  "+",    "-",    "*",   "/",     "^",     "(",
+      ")", ",", "exp(", "cos(", "sqrt(", "log(", "pi", "I",    ".",    "e3",  "cosh(", "acos(", "atan(",
+      "=", ":", "\"",   "[",    "]",     " ",    "**", "sin(", "tan(", "0.5", "x^2",   "t*x"};
   std::mt19937_64 random(7);
   for (size_t i = 0; i < rounds(6000); ++i) {
     std::string text;
@@ -66,7 +79,8 @@ TEST(ExpressionFuzz, Mutations) {
   std::mt19937_64 random(11);
   for (size_t i = 0; i < rounds(600); ++i)
     for (const auto* list : {&expressions, &spaces, &schemes})
-      for (const auto& text : *list) read_everything(mutate(text, random, "0123456789-+*/^()[]{}\",:. vtxsepiI_=\n\xff"));
+      for (const auto& text : *list)
+        read_everything(mutate(text, random, "0123456789-+*/^()[]{}\",:. vtxsepiI_=\n\xff"));
 }
 
 /// What a mutated text was read as reads back: text and value never part.

@@ -26,12 +26,15 @@ PointSet samples(int first, int count, F f) {
 
 using Row = std::vector<double>;
 
-Fit fit_scheme(const std::string& scheme, const PointSet& p, bool closed = false, const std::string& tolerance = "1e-9") {
+Fit fit_scheme(const std::string& scheme, const PointSet& p, bool closed = false,
+               const std::string& tolerance = "1e-9") {
   return fit(*make_scheme(scheme).space, p, closed, tolerance);
 }
 
 TEST(Fit, CatenaryCircleHelix) {
-  const Fit catenary = fit_scheme("tension4", samples(-3, 8, [](int j) { return Row{1.0 * j, std::cosh(0.4 * j + 0.1) + 2}; }));
+  const Fit catenary = fit_scheme("tension4", samples(-3, 8, [](int j) {
+                                    return Row{1.0 * j, std::cosh(0.4 * j + 0.1) + 2};
+                                  }));
   EXPECT_EQ(catenary.outcome, Outcome::found);
   EXPECT_NEAR(std::stod(catenary.v0), std::cosh(0.4), 1e-12);
   EXPECT_NEAR(std::stod(catenary.t), 0.4, 1e-12);
@@ -55,7 +58,8 @@ TEST(Fit, CatenaryCircleHelix) {
 
 TEST(Fit, RationalDataGiveTheExactValue) {
   // y_j = 2^j + 2^-j: v^0 = 5/4; cubic data: v^0 = 1.
-  const Fit f = fit_scheme("tension4", samples(-3, 7, [](int j) { return Row{std::ldexp(1.0, j) + std::ldexp(1.0, -j)}; }));
+  const Fit f =
+      fit_scheme("tension4", samples(-3, 7, [](int j) { return Row{std::ldexp(1.0, j) + std::ldexp(1.0, -j)}; }));
   EXPECT_EQ(f.v0, "1.25");
   EXPECT_EQ(f.spread, "0");
   const Fit cubic = fit_scheme("tension4", samples(0, 7, [](int j) { return Row{1.0 * j * j * j, 2.0 * j}; }));
@@ -65,13 +69,21 @@ TEST(Fit, RationalDataGiveTheExactValue) {
 }
 
 TEST(Fit, PolynomialDataFitAnyValue) {
-  EXPECT_EQ(fit_scheme("tension4", samples(0, 9, [](int j) { return Row{0.1 * j, 1 + 0.3 * j}; })).outcome, Outcome::any);
+  EXPECT_EQ(fit_scheme("tension4", samples(0, 9,
+                                           [](int j) {
+                                             return Row{0.1 * j, 1 + 0.3 * j};
+                                           }))
+                .outcome,
+            Outcome::any);
   EXPECT_EQ(fit_scheme("tension4", samples(0, 9, [](int j) { return Row{5.0, 1.0 + j}; })).outcome, Outcome::any);
-  EXPECT_EQ(fit_scheme("interpolating:family=mixed,l=3", samples(0, 9, [](int j) { return Row{1.0 * j * j}; })).outcome, Outcome::any);
+  EXPECT_EQ(fit_scheme("interpolating:family=mixed,l=3", samples(0, 9, [](int j) { return Row{1.0 * j * j}; })).outcome,
+            Outcome::any);
 }
 
 TEST(Fit, SeveralHarmonicsAndDoubleFrequencies) {
-  const auto two = samples(0, 16, [](int j) { return Row{std::cos(0.3 * j) - 2 * std::sin(0.6 * j), 1 + std::sin(0.3 * j + 1)}; });
+  const auto two = samples(0, 16, [](int j) {
+    return Row{std::cos(0.3 * j) - 2 * std::sin(0.6 * j), 1 + std::sin(0.3 * j + 1)};
+  });
   const Fit harmonic = fit_scheme("interpolating:family=harmonic,l=3", two);
   EXPECT_EQ(harmonic.outcome, Outcome::found) << harmonic.spread;
   EXPECT_NEAR(std::stod(harmonic.t), 0.3, 1e-10);
@@ -83,7 +95,8 @@ TEST(Fit, SeveralHarmonicsAndDoubleFrequencies) {
   EXPECT_NEAR(std::stod(resonant.t), 0.2, 1e-6);
   // Data of a subspace: no loss by the double zero.
   const auto circle = samples(0, 16, [](int j) { return Row{std::cos(0.3 * j), std::sin(0.3 * j)}; });
-  for (const char* s : {"interpolating:family=resonant,l=3", "interpolating:family=harmonic,l=4", "interpolating:family=mixed,l=4"}) {
+  for (const char* s :
+       {"interpolating:family=resonant,l=3", "interpolating:family=harmonic,l=4", "interpolating:family=mixed,l=4"}) {
     const Fit f = fit_scheme(s, circle);
     EXPECT_EQ(f.outcome, Outcome::found) << s;
     EXPECT_NEAR(std::stod(f.t), 0.3, 1e-10) << s;
@@ -99,7 +112,8 @@ TEST(Fit, NoisyDataDoNotFit) {
   EXPECT_NEAR(std::stod(f.v0), std::cosh(0.4), 1e-6);
   EXPECT_EQ(fit_scheme("tension4", data, false, "1/1000").outcome, Outcome::found);
   // Alternating data would need v^0 <= -1.
-  EXPECT_EQ(fit_scheme("tension4", samples(0, 9, [](int j) { return Row{j % 2 == 0 ? 1.0 : -1.0}; })).outcome, Outcome::none);
+  EXPECT_EQ(fit_scheme("tension4", samples(0, 9, [](int j) { return Row{j % 2 == 0 ? 1.0 : -1.0}; })).outcome,
+            Outcome::none);
 }
 
 TEST(Fit, Refusals) {
@@ -107,7 +121,9 @@ TEST(Fit, Refusals) {
   EXPECT_EQ(test::refusal([&] { fit_scheme("tension4", data); }), "a fit needs at least 5 points here, not 4");
   EXPECT_NE(test::refusal([&] { fit_scheme("dd:l=2", data); }), "");
   EXPECT_NE(test::refusal([&] { fit_scheme("interpolating:space=\"1,x,cosh(x),sinh(x)\"", data); }), "");
-  EXPECT_NE(test::refusal([&] { fit_scheme("exponential-bspline:space=\"exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\"", data); }), "");
+  EXPECT_NE(
+      test::refusal([&] { fit_scheme("exponential-bspline:space=\"exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\"", data); }),
+      "");
   for (const char* bad : {"0", "-1e-9", "x", "pi"})
     EXPECT_NE(test::refusal([&] { fit_scheme("tension4", data, true, bad); }), "") << bad;
 }

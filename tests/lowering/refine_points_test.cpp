@@ -39,10 +39,14 @@ auto circle(long n) {
 }
 
 auto exponential(const Rational& t) {
-  return [t](const Rational& j) { return std::pair(ExactReal(j), ExactReal::apply(ExactReal::Function::exp, ExactReal(t * j))); };
+  return [t](const Rational& j) {
+    return std::pair(ExactReal(j), ExactReal::apply(ExactReal::Function::exp, ExactReal(t * j)));
+  };
 }
 
-Rational distance(const std::string& text, const ExactReal& x) { return abs(test::exact_text(text) - test::exact_text(x.decimal(80))); }
+Rational distance(const std::string& text, const ExactReal& x) {
+  return abs(test::exact_text(text) - test::exact_text(x.decimal(80)));
+}
 
 TEST(RefinePoints, CirclesFromFiveSixSevenPoints) {
   const Scheme s = make_scheme("tension4");
@@ -121,7 +125,8 @@ TEST(RefinePoints, DigitsAreThoseOfMoreDigits) {
   ASSERT_EQ(few.size(), 4U * 81);
   for (size_t i = 0; i < few.tokens.size(); ++i) {
     const Rational x = test::exact_text(many.tokens[i]);
-    EXPECT_LE(abs(test::exact_text(few.tokens[i]) - x) * Rational(10).pow(19) * Rational(2), abs(x) * Rational(11)) << few.tokens[i];
+    EXPECT_LE(abs(test::exact_text(few.tokens[i]) - x) * Rational(10).pow(19) * Rational(2), abs(x) * Rational(11))
+        << few.tokens[i];
     EXPECT_NEAR(doubles.values[i], many.values[i], 1e-12);
   }
 }
@@ -133,12 +138,18 @@ TEST(RefinePoints, Refusals) {
   two.columns = {"x"};
   two.dim = 1;
   two.values = {0, 1};
-  EXPECT_EQ(test::refusal([&] { refine_points(s, b, two, {1, Boundary::closed, 0}); }), "a closed polygon needs at least 3 points, not 2");
+  EXPECT_EQ(test::refusal([&] {
+              refine_points(s, b, two, {1, Boundary::closed, 0});
+            }),
+            "a closed polygon needs at least 3 points, not 2");
   two.values = {0, 1, 2};
   EXPECT_NE(test::refusal([&] { refine_points(s, b, two, {40, Boundary::closed, 0}); }), "");
   EXPECT_NE(test::refusal([&] { refine_points(s, b, two, {1, Boundary::closed, 5}); }), "");
   const Scheme m = make_scheme("mask:coefficients=\"1/8,1/2,3/4,1/2,1/8\"");
-  EXPECT_NE(test::refusal([&] { refine_points(m, lowering::bind(m, std::nullopt, std::nullopt, {}), two, {1, Boundary::space, 0}); }), "");
+  EXPECT_NE(test::refusal([&] {
+              refine_points(m, lowering::bind(m, std::nullopt, std::nullopt, {}), two, {1, Boundary::space, 0});
+            }),
+            "");
   EXPECT_THROW(refine_points(s, b, two, {1, Boundary::given, 0}), kernels::Error);
 }
 

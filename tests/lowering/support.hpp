@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Independent evaluation of masks: forward recurrences and plain term-by-term sums, nothing shared with the lowering room.
+// Independent evaluation of masks: forward recurrences and plain term-by-term sums, nothing shared with the lowering
+// room.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -79,8 +80,8 @@ std::string refusal(F f) {
 
 using Named = std::vector<std::pair<std::string, std::string>>;
 
-inline kernels::MaskTable table(const std::string& scheme, const std::optional<std::string>& v0, unsigned levels, long digits,
-                                const Named& at = {}) {
+inline kernels::MaskTable table(const std::string& scheme, const std::optional<std::string>& v0, unsigned levels,
+                                long digits, const Named& at = {}) {
   const Scheme s = make_scheme(scheme);
   return lower(s, lowering::bind(s, v0, std::nullopt, at), {levels, digits, false, true});
 }

@@ -76,17 +76,18 @@ TEST(RoundedDecimal, CornersAgainstLongDivision) {
   std::vector<Rational> corners;
   for (long k = 1; k < 30; ++k) {
     const Rational ten = Rational(10).pow(k);
-    corners.push_back(Rational(10) - ten.inverse());             // 9.99..9
-    corners.push_back(Rational(10) - Rational(49, 100) / ten);   // 9.99..951
-    corners.push_back(Rational(10) - Rational(1, 2) / ten);      // 9.99..95: a tie
+    corners.push_back(Rational(10) - ten.inverse());            // 9.99..9
+    corners.push_back(Rational(10) - Rational(49, 100) / ten);  // 9.99..951
+    corners.push_back(Rational(10) - Rational(1, 2) / ten);     // 9.99..95: a tie
     corners.push_back(Rational(1) - ten.inverse());
     corners.push_back(ten);
     corners.push_back(ten.inverse());
     corners.push_back(ten + Rational(1, 3));
     corners.push_back(Rational(1) + ten.inverse() / Rational(2));
   }
-  for (const char* q : {"1/3", "2/3", "1/7", "22/7", "355/113", "999999/1000000", "1000001/1000000", "1/1024", "3/20", "5/2", "7/2",
-                        "25", "35", "45", "149/10", "15/100", "123456789123456789123456789", "1/987654321987654321987654321"})
+  for (const char* q :
+       {"1/3", "2/3", "1/7", "22/7", "355/113", "999999/1000000", "1000001/1000000", "1/1024", "3/20", "5/2", "7/2",
+        "25", "35", "45", "149/10", "15/100", "123456789123456789123456789", "1/987654321987654321987654321"})
     corners.push_back(Rational::parse(q));
   for (const Rational& c : corners)
     for (const Rational& x : {c, -c})
@@ -144,8 +145,9 @@ TEST(RoundedDecimal, SaysWhenABallIsTooWide) {
 
 TEST(RoundedDouble, AgreesWithTheCLibrary) {
   // strtod rounds correctly; decimals with few digits are the input of both.
-  for (const char* text : {"0.1", "1e23", "9007199254740993", "2.2250738585072011e-308", "4.9e-324", "2.4703282292062327e-324",
-                           "2.4703282292062329e-324", "1.7976931348623157e308", "-0.3", "0.5", "123456789.123456789", "1e-5"}) {
+  for (const char* text :
+       {"0.1", "1e23", "9007199254740993", "2.2250738585072011e-308", "4.9e-324", "2.4703282292062327e-324",
+        "2.4703282292062329e-324", "1.7976931348623157e308", "-0.3", "0.5", "123456789.123456789", "1e-5"}) {
     std::string s(text);
     long exponent = 0;
     if (const auto e = s.find('e'); e != std::string::npos) {

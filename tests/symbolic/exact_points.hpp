@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What the tests of the symbolic room share: the exact meaning of masks at rational points, by definitions only.
 ///
-/// At a point every level variable v has a rational E = e^{theta/m^{k+1}} with v = (E + 1/E)/2, so that x^r e^{n theta x} has
-/// rational values at all multiples of the fine spacing: i^r E^{ni} at the index i.
+/// At a point every level variable v has a rational E = e^{theta/m^{k+1}} with v = (E + 1/E)/2, so that x^r e^{n theta
+/// x} has rational values at all multiples of the fine spacing: i^r E^{ni} at the index i.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,8 @@ using Matrix = std::vector<std::vector<Rational>>;
 
 /// E for each level variable of a space: distinct, not 1, multiplicatively independent for small exponents.
 inline std::vector<Rational> exponential_points(const Space& space, size_t variant = 0) {
-  static const std::vector<Rational> choices = {Rational(2), Rational(3, 5), Rational(7, 3), Rational(5, 11), Rational(13, 4)};
+  static const std::vector<Rational> choices = {Rational(2), Rational(3, 5), Rational(7, 3), Rational(5, 11),
+                                                Rational(13, 4)};
   std::vector<Rational> e;
   for (size_t i = 0; i < space.variables().size(); ++i) e.push_back(choices[(i + variant) % choices.size()]);
   return e;
@@ -105,8 +106,8 @@ inline Matrix values(const std::vector<std::vector<RationalFunction>>& matrix, c
   return m;
 }
 
-/// The definition of the 2l-point interpolating scheme: the weights c_j, j = 1-l..l, with sum_j c_j f(j) = f(1/2) for every f in
-/// the space. No symbol, no sigma. nullopt if they are not unique.
+/// The definition of the 2l-point interpolating scheme: the weights c_j, j = 1-l..l, with sum_j c_j f(j) = f(1/2) for
+/// every f in the space. No symbol, no sigma. nullopt if they are not unique.
 inline std::optional<std::vector<Rational>> interpolation_weights(const Space& space, const std::vector<Rational>& e) {
   const std::vector<Function> functions = basis(space, e);
   const long l = static_cast<long>(functions.size()) / 2;

@@ -35,8 +35,9 @@ TEST(ExactRealSign, ProvesZeros) {
 }
 
 TEST(ExactRealSign, ZerosWrittenAsText) {
-  for (const char* text : {"(sqrt(5)-1)/4-cos(2*pi/5)", "sqrt(2)+sqrt(3)-sqrt(5+2*sqrt(6))", "cos(pi/7)-cos(2*pi/7)+cos(3*pi/7)-1/2",
-                           "2^(1/3)*2^(2/3)-2", "8*cos(pi/9)^3-6*cos(pi/9)-1"}) {
+  for (const char* text :
+       {"(sqrt(5)-1)/4-cos(2*pi/5)", "sqrt(2)+sqrt(3)-sqrt(5+2*sqrt(6))", "cos(pi/7)-cos(2*pi/7)+cos(3*pi/7)-1/2",
+        "2^(1/3)*2^(2/3)-2", "8*cos(pi/9)^3-6*cos(pi/9)-1"}) {
     EXPECT_EQ(parse_real(text).sign(), Sign::zero) << text;
     EXPECT_EQ(parse_real(text).decimal(30), "0") << text;
   }
@@ -59,7 +60,8 @@ TEST(ExactRealSign, SeesThroughNearZeros) {
 }
 
 TEST(ExactRealSign, Transcendental) {
-  EXPECT_EQ((ExactReal::apply(F::exp, ExactReal::pi()) - ExactReal::pi() - 20).sign(), Sign::negative);  // 19.9990999...
+  EXPECT_EQ((ExactReal::apply(F::exp, ExactReal::pi()) - ExactReal::pi() - 20).sign(),
+            Sign::negative);  // 19.9990999...
   // Ramanujan: exp(pi sqrt(163)) is 7.5e-13 below an integer.
   const ExactReal r = ExactReal::apply(F::exp, ExactReal::pi() * root(163)) - Rational::parse("262537412640768744");
   EXPECT_EQ(r.sign(), Sign::negative);
@@ -78,7 +80,9 @@ TEST(ExactRealSign, NoValueIsNoSign) {
 }
 
 RC_GTEST_PROP(ExactRealSign, RationalArithmetic, (const Rational& a, const Rational& b)) {
-  const auto expected = [](const Rational& q) { return q.is_zero() ? Sign::zero : q.sign() > 0 ? Sign::positive : Sign::negative; };
+  const auto expected = [](const Rational& q) {
+    return q.is_zero() ? Sign::zero : q.sign() > 0 ? Sign::positive : Sign::negative;
+  };
   // Through square roots, so that nothing folds: sqrt(a^2 + 1)^2 = a^2 + 1.
   const ExactReal x = (ExactReal(a) * a + 1).pow(Rational(1, 2)).pow(2);
   RC_ASSERT((x - (ExactReal(b) * b + 1)).sign() == expected(a * a - b * b));
@@ -101,10 +105,14 @@ TEST(ExactReal, EnclosuresContainTheValue) {
     const char* low;  // truncated decimals, one unit in the last place apart
     const char* high;
   };
-  for (const Case& c : {Case{"pi", "314159265358979323846", "314159265358979323847"}, Case{"exp(1)", "271828182845904523536", "271828182845904523537"},
-                        Case{"sqrt(2)", "141421356237309504880", "141421356237309504881"}, Case{"cosh(1)", "154308063481524377847", "154308063481524377848"},
-                        Case{"4*atan(1)", "314159265358979323846", "314159265358979323847"}, Case{"acosh(2)", "131695789692481670862", "131695789692481670863"},
-                        Case{"2^(3/2)", "282842712474619009760", "282842712474619009761"}, Case{"log(10)", "230258509299404568401", "230258509299404568402"}})
+  for (const Case& c : {Case{"pi", "314159265358979323846", "314159265358979323847"},
+                        Case{"exp(1)", "271828182845904523536", "271828182845904523537"},
+                        Case{"sqrt(2)", "141421356237309504880", "141421356237309504881"},
+                        Case{"cosh(1)", "154308063481524377847", "154308063481524377848"},
+                        Case{"4*atan(1)", "314159265358979323846", "314159265358979323847"},
+                        Case{"acosh(2)", "131695789692481670862", "131695789692481670863"},
+                        Case{"2^(3/2)", "282842712474619009760", "282842712474619009761"},
+                        Case{"log(10)", "230258509299404568401", "230258509299404568402"}})
     for (const long bits : {20L, 64L, 200L}) {
       const Rational unit = Rational(10).pow(-20);
       const Ball b = parse_real(c.expression).enclose(bits);

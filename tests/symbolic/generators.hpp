@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// RapidCheck generators for the exact types. RC_PARAMS="max_success=1000" scales the rounds, RC_PARAMS="reproduce=..." repeats.
+/// RapidCheck generators for the exact types. RC_PARAMS="max_success=1000" scales the rounds, RC_PARAMS="reproduce=..."
+/// repeats.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -36,7 +37,8 @@ inline void PrintTo(const Space& s, std::ostream* out) { showValue(s, *out); }
 
 namespace rc {
 
-/// Integers of [low, high) with equal chances, whatever RapidCheck's current size (which starts at 0 and would keep them small).
+/// Integers of [low, high) with equal chances, whatever RapidCheck's current size (which starts at 0 and would keep
+/// them small).
 template <class T>
 Gen<T> uniform(T low, T high) {
   return gen::resize(kNominalSize, gen::inRange<T>(low, high));
@@ -45,7 +47,8 @@ Gen<T> uniform(T low, T high) {
 /// Up to `most` elements.
 template <class T>
 Gen<std::vector<T>> up_to(size_t most, Gen<T> element) {
-  return gen::mapcat(uniform<size_t>(0, most + 1), [element](size_t n) { return gen::container<std::vector<T>>(n, element); });
+  return gen::mapcat(uniform<size_t>(0, most + 1),
+                     [element](size_t n) { return gen::container<std::vector<T>>(n, element); });
 }
 
 template <>
@@ -106,22 +109,21 @@ struct Arbitrary<twoscale::Laurent> {
           return twoscale::RationalFunction::fraction(Polynomial(std::get<0>(t)) + Polynomial(std::get<1>(t)) * v,
                                                       v + Polynomial(std::get<2>(t)));
         });
-    return gen::map(gen::pair(uniform(-4L, 5L),
-                              up_to<twoscale::RationalFunction>(6, coefficient)),
+    return gen::map(gen::pair(uniform(-4L, 5L), up_to<twoscale::RationalFunction>(6, coefficient)),
                     [](const std::pair<long, std::vector<twoscale::RationalFunction>>& p) {
                       return twoscale::Laurent(p.first, p.second);
                     });
   }
 };
 
-/// Spaces with up to two named frequencies, multiples 1..4 (lacunary ones too), orders 1..2 and 0..4 powers of x; dimension 1..10.
+/// Spaces with up to two named frequencies, multiples 1..4 (lacunary ones too), orders 1..2 and 0..4 powers of x;
+/// dimension 1..10.
 template <>
 struct Arbitrary<twoscale::Space> {
   static Gen<twoscale::Space> arbitrary() {
     const auto exponential = gen::tuple(gen::element<std::string>("s", "t"), uniform(1, 5), uniform(1U, 3U));
     return gen::suchThat(
-        gen::map(gen::pair(uniform(0U, 5U),
-                           up_to<std::tuple<std::string, int, unsigned>>(4, exponential)),
+        gen::map(gen::pair(uniform(0U, 5U), up_to<std::tuple<std::string, int, unsigned>>(4, exponential)),
                  [](const std::pair<unsigned, std::vector<std::tuple<std::string, int, unsigned>>>& p) {
                    std::string text;
                    const auto add = [&](const std::string& item) { text += (text.empty() ? "" : ", ") + item; };

@@ -20,7 +20,8 @@ std::string fault(const Space& space, bool folded = true) {
   const long l = static_cast<long>(space.dimension()) / 2;
   if (!zeta.is_canonical() || !h.omega.is_canonical()) return "not canonical";
   if (!(interpolating_symbol_by_divided_differences(space) == zeta)) return "route 3 differs";
-  if (const auto harmonic = interpolating_symbol_harmonic(space); harmonic && !(*harmonic == zeta)) return "harmonic route differs";
+  if (const auto harmonic = interpolating_symbol_harmonic(space); harmonic && !(*harmonic == zeta))
+    return "harmonic route differs";
   if (!(sigma * h.omega == zeta)) return "zeta is not sigma omega";
   if (!(zeta.subsymbol(2, 0) == Laurent::monomial(0))) return "zeta is not interpolatory";
   if (zeta.lowest() != 1 - 2 * l || zeta.highest() != 2 * l - 1) return "support";
@@ -35,7 +36,8 @@ std::string fault(const Space& space, bool folded = true) {
     const auto weights = interpolation_weights(space, e);
     if (!mask || !weights) return "pole at a real frequency";
     for (long j = 1 - l; j <= l; ++j)
-      if (mask->at(1 - 2 * j) != weights->at(static_cast<size_t>(j + l - 1))) return "not the interpolating weights of the space";
+      if (mask->at(1 - 2 * j) != weights->at(static_cast<size_t>(j + l - 1)))
+        return "not the interpolating weights of the space";
     for (const Function& f : basis(space, e))
       for (const long i : {0L, 1L, 2L, 5L, -3L})
         if (refined(*mask, 2, f, i) != f(i)) return "does not reproduce the space";
@@ -112,7 +114,8 @@ TEST_P(Families, DeterminantsByElimination) {
     for (size_t r = 0; r < c.size(); ++r) c[r].push_back(f.rhs[r].evaluate(at).value());
     if (eliminate(c).is_zero()) continue;
     for (size_t i = 0; i < c.size(); ++i)
-      EXPECT_EQ(c[i].back(), h.omega.coefficient(static_cast<long>(i) - static_cast<long>(c.size()) + 1).evaluate(at)) << "v = " << v;
+      EXPECT_EQ(c[i].back(), h.omega.coefficient(static_cast<long>(i) - static_cast<long>(c.size()) + 1).evaluate(at))
+          << "v = " << v;
   }
 }
 
@@ -147,11 +150,15 @@ TEST(InterpolatingSymbol, PolynomialsOfEveryOrder) {
 
 /// Lacunary, without 1, several frequencies, high multiplicities.
 TEST(InterpolatingSymbol, ChosenSpaces) {
-  for (const char* text : {"exp(t*x),exp(-t*x)", "exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)", "1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)",
-                           "1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)", "exp(s*x),exp(-s*x),exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x)",
-                           "1,x,x^2,x^3,cos(t*x),sin(t*x),x*cos(t*x),x*sin(t*x)", "exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x),x^2*exp(t*x),x^2*exp(-t*x)",
-                           "cosh(x),sinh(x),1,x", "1,x,exp(t*x/2),exp(-t*x/2),exp(t*x/3),exp(-t*x/3)", "1,x,exp(4*t*x),exp(-4*t*x),exp(6*t*x),exp(-6*t*x)",
-                           "exp(r*x),exp(-r*x),exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)", "1,x,exp(s*x),exp(-s*x),exp(2*s*x),exp(-2*s*x),exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)"})
+  for (const char* text :
+       {"exp(t*x),exp(-t*x)", "exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)",
+        "1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)", "1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)",
+        "exp(s*x),exp(-s*x),exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x)",
+        "1,x,x^2,x^3,cos(t*x),sin(t*x),x*cos(t*x),x*sin(t*x)",
+        "exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x),x^2*exp(t*x),x^2*exp(-t*x)", "cosh(x),sinh(x),1,x",
+        "1,x,exp(t*x/2),exp(-t*x/2),exp(t*x/3),exp(-t*x/3)", "1,x,exp(4*t*x),exp(-4*t*x),exp(6*t*x),exp(-6*t*x)",
+        "exp(r*x),exp(-r*x),exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)",
+        "1,x,exp(s*x),exp(-s*x),exp(2*s*x),exp(-2*s*x),exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)"})
     EXPECT_EQ(fault(Space::parse(text)), "") << text;
 }
 
@@ -165,8 +172,9 @@ TEST(InterpolatingSymbol, OddDimensionsAreRefused) {
 
 TEST(InterpolatingSymbol, HarmonicEngineKnowsItsSpaces) {
   EXPECT_TRUE(interpolating_symbol_harmonic(family_space("harmonic", 3)).has_value());
-  for (const char* text : {"1,x,x^2,x^3", "1,x,exp(t*x),exp(-t*x),exp(3*t*x),exp(-3*t*x)", "exp(t*x),exp(-t*x)", "1,x,exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x)",
-                           "1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)", "1,x,x^2,x^3,exp(t*x),exp(-t*x)"})
+  for (const char* text : {"1,x,x^2,x^3", "1,x,exp(t*x),exp(-t*x),exp(3*t*x),exp(-3*t*x)", "exp(t*x),exp(-t*x)",
+                           "1,x,exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x)", "1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)",
+                           "1,x,x^2,x^3,exp(t*x),exp(-t*x)"})
     EXPECT_FALSE(interpolating_symbol_harmonic(Space::parse(text)).has_value()) << text;
 }
 

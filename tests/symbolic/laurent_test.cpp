@@ -112,7 +112,9 @@ TEST(Laurent, CentreMayBeAHalf) {
   EXPECT_EQ(Laurent(0, {rf("v"), 1, rf("v^2/v")}).centre_of_symmetry(), Rational(1));
 }
 
-TEST(Laurent, DivisionByZeroIsALogicError) { EXPECT_THROW(Laurent::quotient(Laurent::monomial(1), Laurent()), std::logic_error); }
+TEST(Laurent, DivisionByZeroIsALogicError) {
+  EXPECT_THROW(Laurent::quotient(Laurent::monomial(1), Laurent()), std::logic_error);
+}
 
 TEST(Laurent, VariablesOfAllCoefficients) {
   EXPECT_EQ(Laurent(0, {rf("v_t"), rf("1/v_s"), rf("w-w+1")}).variables(), (std::vector<std::string>{"v_s", "v_t"}));

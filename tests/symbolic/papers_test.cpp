@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The formulas of the papers as printed, against the derivation; where print is wrong, both values and the reason.
 ///
-/// romani2009: L. Romani, From approximating subdivision schemes for exponential splines to high-performance interpolating
-/// algorithms. beccari2007: Beccari, Casciola, Romani, A non-stationary uniform tension controlled interpolating 4-point scheme.
-/// v stands for v^{k+1}; the papers' index i is our i - l (sigma), i - (l-1) (omega), i - (2l-1) (zeta).
+/// romani2009: L. Romani, From approximating subdivision schemes for exponential splines to high-performance
+/// interpolating algorithms. beccari2007: Beccari, Casciola, Romani, A non-stationary uniform tension controlled
+/// interpolating 4-point scheme. v stands for v^{k+1}; the papers' index i is our i - l (sigma), i - (l-1) (omega), i -
+/// (2l-1) (zeta).
 #include "symbolic/exact_points.hpp"
 #include "symbolic/generators.hpp"
 #include "twoscale/symbolic/catalog.hpp"
@@ -102,7 +103,8 @@ TEST(Romani2009Equations, Lambda8) {
           m[i + 1][i] = i == 0 ? 2 : 1;
         }
       }
-      EXPECT_EQ(eliminate(m), Rational(2) * Polynomial::chebyshev("v", static_cast<unsigned>(j)).evaluate({{"v", v}})) << j;
+      EXPECT_EQ(eliminate(m), Rational(2) * Polynomial::chebyshev("v", static_cast<unsigned>(j)).evaluate({{"v", v}}))
+          << j;
     }
 }
 
@@ -127,8 +129,8 @@ TEST(Romani2009Equations, Families3And9And13) {
   }
 }
 
-/// The matrix of the system (17) as printed: row j = 1..l-1 has sigma_{2j-1-i} + sigma_{i-1} for 0 < i < j, sigma_{2j-1} for
-/// i = 0, sigma_{j-1} for i = j and nothing further right; last row (2, .., 2, 1).
+/// The matrix of the system (17) as printed: row j = 1..l-1 has sigma_{2j-1-i} + sigma_{i-1} for 0 < i < j,
+/// sigma_{2j-1} for i = 0, sigma_{j-1} for i = j and nothing further right; last row (2, .., 2, 1).
 Matrix printed_matrix(long order, const Laurent& sigma, const Values& at) {
   const auto s = [&](long i) { return sigma.coefficient(i - order).evaluate(at).value(); };
   Matrix m;
@@ -156,7 +158,8 @@ std::map<long, Rational> zeta_of_lemma_9(long order, const Laurent& sigma, const
   }
   std::map<long, Rational> zeta;
   for (const auto& [i, w] : omega)
-    for (long k = sigma.lowest(); k <= sigma.highest(); ++k) zeta[i + k] += w * sigma.coefficient(k).evaluate(at).value();
+    for (long k = sigma.lowest(); k <= sigma.highest(); ++k)
+      zeta[i + k] += w * sigma.coefficient(k).evaluate(at).value();
   return zeta;
 }
 
@@ -166,9 +169,9 @@ bool interpolatory(const std::map<long, Rational>& zeta) {
   return true;
 }
 
-// (17), (19), (20): right for l = 2, 3. For l >= 4 the printed rows forget the entries sigma_{2j+1-2l+i} of the reflected half
-// (row 2 of l = 4 must be sigma_3, sigma_2, sigma_1, sigma_0, print has sigma_3, sigma_2 + sigma_0, sigma_1, 0), and what
-// comes out is not interpolatory.
+// (17), (19), (20): right for l = 2, 3. For l >= 4 the printed rows forget the entries sigma_{2j+1-2l+i} of the
+// reflected half (row 2 of l = 4 must be sigma_3, sigma_2, sigma_1, sigma_0, print has sigma_3, sigma_2 + sigma_0,
+// sigma_1, 0), and what comes out is not interpolatory.
 TEST(Romani2009Equations, Lemma9HoldsForTwoAndThreeAndFailsFromFour) {
   for (const char* family : {"mixed", "harmonic", "resonant"})
     for (unsigned order = 2; order <= 6; ++order) {
@@ -176,7 +179,8 @@ TEST(Romani2009Equations, Lemma9HoldsForTwoAndThreeAndFailsFromFour) {
       const Laurent sigma = bspline_symbol(space);
       for (const char* v : {"1", "3/2", "4"}) {
         const Values at = {{"v", Rational::parse(v)}};
-        EXPECT_EQ(interpolatory(zeta_of_lemma_9(order, sigma, at)), order <= 3) << family << " l=" << order << " v=" << v;
+        EXPECT_EQ(interpolatory(zeta_of_lemma_9(order, sigma, at)), order <= 3)
+            << family << " l=" << order << " v=" << v;
         EXPECT_TRUE(interpolatory(mask_at(interpolating_symbol(space), at).value()));
       }
     }
@@ -245,22 +249,26 @@ TEST(Beccari2007, InterpolationByTheSpace) {
     const Rational a0 = (sum * p[1] - p[0] - p[2]) / d;
     const Rational a1 = ((sum + Rational(1)) * (p[2] - p[1]) + p[0] - p[3]) / d;  // in units of 2^{-k}
     const Rational bottom = (e.inverse() - e) * d * d;
-    const Rational a2 = (d * (-p[1] + two * p[2] - p[3]) + (e.inverse() - Rational(1)).pow(2) * (p[0] - two * p[1] + p[2])) / bottom;
-    const Rational a3 = (d * (p[1] - two * p[2] + p[3]) - (e - Rational(1)).pow(2) * (p[0] - two * p[1] + p[2])) / bottom;
-    for (long j = -1; j <= 2; ++j) EXPECT_EQ(a0 + a1 * Rational(j) + a2 * e.pow(j) + a3 * e.pow(-j), p[static_cast<size_t>(j + 1)]) << j;
+    const Rational a2 =
+        (d * (-p[1] + two * p[2] - p[3]) + (e.inverse() - Rational(1)).pow(2) * (p[0] - two * p[1] + p[2])) / bottom;
+    const Rational a3 =
+        (d * (p[1] - two * p[2] + p[3]) - (e - Rational(1)).pow(2) * (p[0] - two * p[1] + p[2])) / bottom;
+    for (long j = -1; j <= 2; ++j)
+      EXPECT_EQ(a0 + a1 * Rational(j) + a2 * e.pow(j) + a3 * e.pow(-j), p[static_cast<size_t>(j + 1)]) << j;
     const Rational fine = g + g.inverse();
     const Rational w = (two * fine * (fine + two)).inverse();
     EXPECT_EQ(a0 + a1 / two + a2 * g + a3 / g, (Rational(1, 2) + w) * (p[1] + p[2]) - w * (p[0] + p[3]));
   }
 }
 
-// Algorithm of 3.2. (8) compares p_{2j+1} with data of spacing 2u, so that its w_j is 2 w^{k+1} = 1/(4 v (1 + v)), v = cosh(tu) = v^0.
-// Step 3.1 as printed, v^0 = sqrt(2w(2w+1))/(4w) - 1/2, inverts w = 1/(8 v (1 + v)): with the w of (8) it is wrong. Right for (8):
-// the root v^0 = (sqrt(1 + 1/w) - 1)/2 of 4 w v (1 + v) = 1.
+// Algorithm of 3.2. (8) compares p_{2j+1} with data of spacing 2u, so that its w_j is 2 w^{k+1} = 1/(4 v (1 + v)), v =
+// cosh(tu) = v^0. Step 3.1 as printed, v^0 = sqrt(2w(2w+1))/(4w) - 1/2, inverts w = 1/(8 v (1 + v)): with the w of (8)
+// it is wrong. Right for (8): the root v^0 = (sqrt(1 + 1/w) - 1)/2 of 4 w v (1 + v) = 1.
 TEST(Beccari2007, TensionOfStep3BelongsToTheOtherWeight) {
   const auto step_3 = [](const RationalFunction& w, const RationalFunction& v) {
     // v + 1/2 >= 0 and (v + 1/2)^2 (4w)^2 = 2w (2w+1)
-    return (v + rf("1/2")).pow(2) * w.pow(2) * RationalFunction(16) == RationalFunction(2) * w * (RationalFunction(2) * w + RationalFunction(1));
+    return (v + rf("1/2")).pow(2) * w.pow(2) * RationalFunction(16) ==
+           RationalFunction(2) * w * (RationalFunction(2) * w + RationalFunction(1));
   };
   const RationalFunction v = RationalFunction::variable("v");
   // What (8) gives for samples of a function of the space, from the definition: e = e^{tu}.

@@ -64,7 +64,8 @@ RC_GTEST_PROP(PolynomialLaws, EvaluationIsAHomomorphism,
   RC_ASSERT(a.substitute("v", b).evaluate(at) == a.evaluate(point(u, b.evaluate(at), w)));
 }
 
-RC_GTEST_PROP(PolynomialLaws, SubstitutionIsAHomomorphism, (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
+RC_GTEST_PROP(PolynomialLaws, SubstitutionIsAHomomorphism,
+              (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
   RC_ASSERT((a + b).substitute("u", c) == a.substitute("u", c) + b.substitute("u", c));
   RC_ASSERT((a * b).substitute("u", c) == a.substitute("u", c) * b.substitute("u", c));
   RC_ASSERT(a.substitute("u", Polynomial::variable("u")) == a);
@@ -149,7 +150,8 @@ TEST(PolynomialText, Examples) {
   const Polynomial v = Polynomial::variable("v");
   const Polynomial s = Polynomial::variable("v_s");
   const Polynomial t = Polynomial::variable("v_t");
-  EXPECT_EQ((Polynomial(64) * v.pow(3) + Polynomial(128) * v * v + Polynomial(64) * v).to_string(), "64*v^3+128*v^2+64*v");
+  EXPECT_EQ((Polynomial(64) * v.pow(3) + Polynomial(128) * v * v + Polynomial(64) * v).to_string(),
+            "64*v^3+128*v^2+64*v");
   EXPECT_EQ((Polynomial(3) * s * s * t - Polynomial(1)).to_string(), "3*v_s^2*v_t-1");
   EXPECT_EQ((t.pow(5) + s).to_string(), "v_s+v_t^5");  // lexicographic, not by degree
   EXPECT_EQ((-v).to_string(), "-v");

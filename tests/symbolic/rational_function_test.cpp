@@ -11,7 +11,8 @@ namespace {
 
 using Point = std::vector<std::pair<std::string, Rational>>;
 
-RC_GTEST_PROP(RationalFunctionLaws, Field, (const RationalFunction& a, const RationalFunction& b, const RationalFunction& c)) {
+RC_GTEST_PROP(RationalFunctionLaws, Field,
+              (const RationalFunction& a, const RationalFunction& b, const RationalFunction& c)) {
   RC_ASSERT((a + b) + c == a + (b + c));
   RC_ASSERT((a * b) * c == a * (b * c));
   RC_ASSERT(a * (b + c) == a * b + a * c);
@@ -27,7 +28,8 @@ RC_GTEST_PROP(RationalFunctionLaws, Field, (const RationalFunction& a, const Rat
   }
 }
 
-RC_GTEST_PROP(RationalFunctionLaws, CanonicalAfterEveryOperation, (const RationalFunction& a, const RationalFunction& b)) {
+RC_GTEST_PROP(RationalFunctionLaws, CanonicalAfterEveryOperation,
+              (const RationalFunction& a, const RationalFunction& b)) {
   RC_ASSERT(a.is_canonical());
   RC_ASSERT((a + b).is_canonical());
   RC_ASSERT((a - b).is_canonical());
@@ -44,7 +46,8 @@ RC_GTEST_PROP(RationalFunctionLaws, CanonicalAfterEveryOperation, (const Rationa
 }
 
 /// The same function by another way: both forms are then the same.
-RC_GTEST_PROP(RationalFunctionLaws, EqualFunctionsHaveOneForm, (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
+RC_GTEST_PROP(RationalFunctionLaws, EqualFunctionsHaveOneForm,
+              (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
   RC_PRE(!b.is_zero() && !c.is_zero());
   const RationalFunction x = RationalFunction::fraction(a, b);
   const RationalFunction y = RationalFunction::fraction(a * c, b * c);
@@ -83,7 +86,8 @@ RC_GTEST_PROP(RationalFunctionText, ReadsBackUnchanged, (const RationalFunction&
 }
 
 RC_GTEST_PROP(RationalFunctionLaws, EvaluationAgrees,
-              (const RationalFunction& a, const RationalFunction& b, const Rational& u, const Rational& v, const Rational& w)) {
+              (const RationalFunction& a, const RationalFunction& b, const Rational& u, const Rational& v,
+               const Rational& w)) {
   const Point at = {{"u", u}, {"v", v}, {"w", w}};
   const auto x = a.evaluate(at);
   const auto y = b.evaluate(at);
@@ -96,7 +100,8 @@ RC_GTEST_PROP(RationalFunctionLaws, EvaluationAgrees,
 }
 
 RC_GTEST_PROP(RationalFunctionLaws, SubstitutionAgreesWithEvaluation,
-              (const RationalFunction& a, const RationalFunction& by, const Rational& u, const Rational& v, const Rational& w)) {
+              (const RationalFunction& a, const RationalFunction& by, const Rational& u, const Rational& v,
+               const Rational& w)) {
   const Point at = {{"u", u}, {"v", v}, {"w", w}};
   const auto inner = by.evaluate(at);
   RC_PRE(inner.has_value());
@@ -107,7 +112,8 @@ RC_GTEST_PROP(RationalFunctionLaws, SubstitutionAgreesWithEvaluation,
   RC_ASSERT(composed.evaluate(at) == *expected);
 }
 
-RC_GTEST_PROP(RationalFunctionLaws, CommonDenominator, (const RationalFunction& a, const RationalFunction& b, const RationalFunction& c)) {
+RC_GTEST_PROP(RationalFunctionLaws, CommonDenominator,
+              (const RationalFunction& a, const RationalFunction& b, const RationalFunction& c)) {
   const std::vector<RationalFunction> values = {a, b, c};
   const auto d = common_denominator(values);
   for (const auto& x : values) RC_ASSERT(RationalFunction::fraction(numerator_over(x, d), d.expanded()) == x);

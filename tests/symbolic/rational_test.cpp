@@ -53,7 +53,8 @@ TEST(Rational, IsInLowestTerms) {
 }
 
 TEST(Rational, ReadsNothingElse) {
-  for (const char* text : {"", "-", "+1", "1.5", "1/", "/2", "1/-2", "1 /2", " 1", "1e3", "0x10", "1/2/3", "--1", "1/0", "0/0"})
+  for (const char* text :
+       {"", "-", "+1", "1.5", "1/", "/2", "1/-2", "1 /2", " 1", "1e3", "0x10", "1/2/3", "--1", "1/0", "0/0"})
     EXPECT_THROW(Rational::parse(text), Error) << "'" << text << "'";
 }
 
@@ -78,7 +79,8 @@ TEST(Rational, GeneralisedBinomials) {
       EXPECT_EQ(Rational::binomial(n + Rational(1), k), Rational::binomial(n, k) + Rational::binomial(n, k - 1));
   for (unsigned n = 0; n < 10; ++n) {
     Rational sum;
-    for (unsigned k = 0; k <= n; ++k) sum += Rational::binomial(Rational(-1, 2), k) * Rational::binomial(Rational(-1, 2), n - k);
+    for (unsigned k = 0; k <= n; ++k)
+      sum += Rational::binomial(Rational(-1, 2), k) * Rational::binomial(Rational(-1, 2), n - k);
     EXPECT_EQ(sum, Rational(n % 2 == 0 ? 1 : -1));
   }
   EXPECT_EQ(Rational::binomial(Rational(30), 15), Rational(155117520));

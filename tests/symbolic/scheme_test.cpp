@@ -20,7 +20,8 @@ Rational refined_by_stencils(const Scheme& s, const std::vector<Rational>& data,
   Rational sum;
   for (size_t h = 0; h < stencil.blocks.size(); ++h) {
     const long at = j + stencil.lowest + static_cast<long>(h) + origin;
-    if (at >= 0 && at < static_cast<long>(data.size())) sum += stencil.blocks[h][0].constant().value() * data[static_cast<size_t>(at)];
+    if (at >= 0 && at < static_cast<long>(data.size()))
+      sum += stencil.blocks[h][0].constant().value() * data[static_cast<size_t>(at)];
   }
   return sum;
 }
@@ -40,7 +41,9 @@ RC_GTEST_PROP(Scheme, StencilsAndSymbolAreTheSame, (const Laurent& a)) {
     const Stencil& t = s.phases[static_cast<size_t>(r)];
     for (long h = -12; h <= 12; ++h) {
       const long at = h - t.lowest;
-      const RationalFunction value = at >= 0 && at < static_cast<long>(t.blocks.size()) ? t.blocks[static_cast<size_t>(at)][0] : RationalFunction(0);
+      const RationalFunction value = at >= 0 && at < static_cast<long>(t.blocks.size())
+                                         ? t.blocks[static_cast<size_t>(at)][0]
+                                         : RationalFunction(0);
       RC_ASSERT(value == a.coefficient(r - m * h));
     }
   }
@@ -53,7 +56,8 @@ TEST(Scheme, RefinementIsConvolutionOfTheUpsampledData) {
     const std::vector<Rational> data = {3, Rational(-1, 2), 7, 0, Rational(5, 3)};
     const Laurent coarse(-2, std::vector<RationalFunction>(data.begin(), data.end()));
     const Laurent fine = a * coarse.dilated(m);
-    for (long i = -30; i <= 30; ++i) EXPECT_EQ(refined_by_stencils(s, data, 2, i), fine.coefficient(i).constant()) << m << " " << i;
+    for (long i = -30; i <= 30; ++i)
+      EXPECT_EQ(refined_by_stencils(s, data, 2, i), fine.coefficient(i).constant()) << m << " " << i;
   }
 }
 
@@ -68,7 +72,8 @@ TEST(Scheme, ShiftReproducesTheLine) {
         std::vector<Rational> line;
         for (long j = -20; j <= 20; ++j) line.push_back(Rational(j) + s.shift);
         for (long i = -5; i <= 5; ++i)
-          EXPECT_EQ(refined_by_stencils(s, line, 20, i), (Rational(i) + s.shift) / Rational(m)) << m << " " << order << " " << by;
+          EXPECT_EQ(refined_by_stencils(s, line, 20, i), (Rational(i) + s.shift) / Rational(m))
+              << m << " " << order << " " << by;
       }
     }
 }
@@ -93,7 +98,8 @@ TEST(Scheme, Predicates) {
   EXPECT_FALSE(is_interpolatory(sigma));
   EXPECT_TRUE(is_stationary(Scheme::from_symbol("test", Laurent(-1, {1, 2, 1}), 2, {})));
   // A shifted interpolatory mask is not interpolatory in this sense.
-  EXPECT_FALSE(is_interpolatory(Scheme::from_symbol("test", interpolating_symbol(space).shifted(2), 2, level_parameters(space))));
+  EXPECT_FALSE(is_interpolatory(
+      Scheme::from_symbol("test", interpolating_symbol(space).shifted(2), 2, level_parameters(space))));
 }
 
 TEST(Scheme, LimitSymbol) {

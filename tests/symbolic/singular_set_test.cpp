@@ -26,9 +26,10 @@ std::vector<std::string> texts(const Space& space) {
   return list;
 }
 
-/// The poles of a symbol in one variable, exactly: each irreducible factor of a denominator has to be the minimal polynomial of
-/// cos(2 pi/d) for some d, whose zeros are cos(2 pi j/d), j prime to d. At level k the domain is v > cos(pi/2^{k+1}), and there
-/// v^0 = cos(2^{k+1} 2 pi j/d). nullopt if a factor is of another kind and has a positive zero.
+/// The poles of a symbol in one variable, exactly: each irreducible factor of a denominator has to be the minimal
+/// polynomial of cos(2 pi/d) for some d, whose zeros are cos(2 pi j/d), j prime to d. At level k the domain is v >
+/// cos(pi/2^{k+1}), and there v^0 = cos(2^{k+1} 2 pi j/d). nullopt if a factor is of another kind and has a positive
+/// zero.
 std::optional<Found> poles(const Laurent& a) {
   Found found;
   for (const auto& c : a.coefficients())
@@ -41,7 +42,8 @@ std::optional<Found> poles(const Laurent& a) {
       for (unsigned j = 1; 2 * j <= d; ++j) {
         if (std::gcd(j, d) != 1) continue;
         const Rational angle(2L * j, d);  // of v
-        for (unsigned k = 0; angle * Rational(2).pow(k + 1) < Rational(1); ++k) found.emplace(angle * Rational(2).pow(k + 1), k);
+        for (unsigned k = 0; angle * Rational(2).pow(k + 1) < Rational(1); ++k)
+          found.emplace(angle * Rational(2).pow(k + 1), k);
       }
     }
   return found;
@@ -50,7 +52,8 @@ std::optional<Found> poles(const Laurent& a) {
 TEST(SingularSet, KnownSets) {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(texts(family_space("harmonic", 2)), (Texts{"-1/2@0", "0@0"}));
-  EXPECT_EQ(texts(Space::parse("1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)")), (Texts{"-1/2@0", "-1/2@1", "0@0", "1/2@0"}));
+  EXPECT_EQ(texts(Space::parse("1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)")),
+            (Texts{"-1/2@0", "-1/2@1", "0@0", "1/2@0"}));
   EXPECT_EQ(texts(family_space("mixed", 1)), Texts{});
   EXPECT_EQ(texts(family_space("mixed", 13)), Texts{});
   EXPECT_EQ(texts(family_space("resonant", 7)), Texts{});
@@ -90,8 +93,10 @@ TEST(SingularSet, EqualsThePolesOfZetaForTheFamilies) {
 
 /// sigma of odd dimension: where the normalisation fails.
 TEST(SingularSet, EqualsThePolesOfSigmaInOddDimension) {
-  for (const char* text : {"1,exp(t*x),exp(-t*x)", "1,exp(2*t*x),exp(-2*t*x),exp(t*x),exp(-t*x)", "1,exp(t*x),exp(-t*x),exp(3*t*x),exp(-3*t*x)",
-                           "1,exp(t*x),exp(-t*x),exp(5*t*x),exp(-5*t*x),exp(8*t*x),exp(-8*t*x)", "1,x,x^2,exp(t*x),exp(-t*x),exp(4*t*x),exp(-4*t*x)"}) {
+  for (const char* text : {"1,exp(t*x),exp(-t*x)", "1,exp(2*t*x),exp(-2*t*x),exp(t*x),exp(-t*x)",
+                           "1,exp(t*x),exp(-t*x),exp(3*t*x),exp(-3*t*x)",
+                           "1,exp(t*x),exp(-t*x),exp(5*t*x),exp(-5*t*x),exp(8*t*x),exp(-8*t*x)",
+                           "1,x,x^2,exp(t*x),exp(-t*x),exp(4*t*x),exp(-4*t*x)"}) {
     const Space space = Space::parse(text);
     const auto p = poles(bspline_symbol(space));
     ASSERT_TRUE(p.has_value()) << text;
@@ -106,7 +111,8 @@ RC_GTEST_PROP(SingularSet, EqualsThePolesForAnySpaceOfOneFrequency, (const Space
   RC_ASSERT(listed(space) == *p);
 }
 
-/// The determinant of the Hessenberg system vanishes (or has no value) at a listed v and the folded one too; elsewhere neither.
+/// The determinant of the Hessenberg system vanishes (or has no value) at a listed v and the folded one too; elsewhere
+/// neither.
 TEST(SingularSet, DeterminantVanishesThere) {
   for (const char* family : {"harmonic", "mixed", "resonant"})
     for (unsigned l = 2; l <= 6; ++l) {

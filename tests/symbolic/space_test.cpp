@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <random>
 
+#include "support/mutate.hpp"
 #include "symbolic/generators.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
-#include "support/mutate.hpp"
 
 namespace twoscale::tests {
 namespace {
@@ -53,11 +53,13 @@ TEST(Space, ReadsTheFamilies) {
 
 TEST(Space, FormsOfTheSameSpace) {
   const Space exp = Space::parse("exp(t*x), exp(-t*x)");
-  for (const char* text : {"cosh(t*x), sinh(t*x)", "sinh(t*x), cosh(t*x)", "exp(-x*t), exp(x*t)", "3*exp(t*x), -exp(-t*x)/2", "exp(t*x), cosh(t*x)",
-                           "cosh(-t*x), sinh(-t*x)", "x^0*exp(t*x), exp(-t*x)", "exp(1.0*t*x), exp(-t*x)", "cos(I*t*x), sin(I*t*x)"})
+  for (const char* text : {"cosh(t*x), sinh(t*x)", "sinh(t*x), cosh(t*x)", "exp(-x*t), exp(x*t)",
+                           "3*exp(t*x), -exp(-t*x)/2", "exp(t*x), cosh(t*x)", "cosh(-t*x), sinh(-t*x)",
+                           "x^0*exp(t*x), exp(-t*x)", "exp(1.0*t*x), exp(-t*x)", "cos(I*t*x), sin(I*t*x)"})
     EXPECT_TRUE(same(Space::parse(text), exp)) << text << ": " << Space::parse(text).to_string();
   const Space cos = Space::parse("cos(t*x), sin(t*x)");
-  for (const char* text : {"exp(I*t*x), exp(-I*t*x)", "sin(t*x), cos(-t*x)", "cosh(I*t*x), sinh(I*t*x)", "exp(I*t*x), cos(t*x)"})
+  for (const char* text :
+       {"exp(I*t*x), exp(-I*t*x)", "sin(t*x), cos(-t*x)", "cosh(I*t*x), sinh(I*t*x)", "exp(I*t*x), cos(t*x)"})
     EXPECT_TRUE(same(Space::parse(text), cos)) << text;
   EXPECT_FALSE(same(exp, cos));
   EXPECT_TRUE(cos.variables()[0].trigonometric);
@@ -114,14 +116,16 @@ TEST(Space, FrequenciesThatAreSums) {
   const Space negative = Space::parse("exp((1-sqrt(2))*x), exp((sqrt(2)-1)*x)");
   EXPECT_EQ((negative.variables()[0].value().value() + ExactReal(1) - parse_real("sqrt(2)")).sign(), Sign::zero);
   // Twice the number is twice the frequency.
-  const Space multiples = Space::parse("cosh((1+sqrt(2))*x), sinh((1+sqrt(2))*x), cosh(2*(1+sqrt(2))*x), sinh((2+2*sqrt(2))*x)");
+  const Space multiples =
+      Space::parse("cosh((1+sqrt(2))*x), sinh((1+sqrt(2))*x), cosh(2*(1+sqrt(2))*x), sinh((2+2*sqrt(2))*x)");
   ASSERT_EQ(multiples.variables().size(), 1U);
   EXPECT_EQ(multiples.exponentials(), (Exponentials{{0, 1, 1}, {0, 2, 1}}));
 }
 
 TEST(Space, HiddenMultiplesAreRefused) {
   // One frequency written in two ways would get two level variables that are not independent.
-  for (const char* pair : {"sqrt(6)|sqrt(2)*sqrt(3)", "log(4)|log(2)", "2*cos(pi/7)*cos(2*pi/7)|cos(pi/7)+cos(3*pi/7)"}) {
+  for (const char* pair :
+       {"sqrt(6)|sqrt(2)*sqrt(3)", "log(4)|log(2)", "2*cos(pi/7)*cos(2*pi/7)|cos(pi/7)+cos(3*pi/7)"}) {
     const std::string text(pair);
     const std::string a = text.substr(0, text.find('|'));
     const std::string b = text.substr(text.find('|') + 1);
@@ -129,7 +133,8 @@ TEST(Space, HiddenMultiplesAreRefused) {
     EXPECT_THROW(Space::parse(space), Error) << space << " read as " << Space::parse(space).to_string();
   }
   // What is seen to be a multiple is one: cos(pi/5) = (1 + sqrt(5))/4.
-  EXPECT_EQ(Space::parse("exp(cos(pi/5)*x),exp(-cos(pi/5)*x),exp((1+sqrt(5))*x),exp(-(1+sqrt(5))*x)").variables().size(), 1U);
+  EXPECT_EQ(
+      Space::parse("exp(cos(pi/5)*x),exp(-cos(pi/5)*x),exp((1+sqrt(5))*x),exp(-(1+sqrt(5))*x)").variables().size(), 1U);
   EXPECT_EQ(Space::parse("exp(sqrt(2)*x),exp(-sqrt(2)*x),exp(sqrt(3)*x),exp(-sqrt(3)*x)").variables().size(), 2U);
 }
 
@@ -203,13 +208,16 @@ RC_GTEST_PROP(Space, LeavingOutAnyItemThatOthersNeedIsRefused, (const Space& s))
 }
 
 TEST(Space, TextReadsBackForEveryKindOfFrequency) {
-  for (const char* text : {"cos(2*pi/7*x), sin(2*pi/7*x)", "exp(x), exp(-x)", "exp(x/2), exp(-x/2)", "1, x, exp(pi*x/6), exp(-pi*x/6)",
-                           "cosh(sqrt(2)*x/3), sinh(sqrt(2)*x/3)", "exp(sqrt(2)*sqrt(3)*x), exp(-sqrt(3)*sqrt(2)*x)", "exp(pi^2*x), exp(-pi^2*x)",
-                           "exp(2^(1/3)*x), exp(-2^(1/3)*x)", "exp(log(2)*x), exp(-log(2)*x)", "cos(t*x/5),sin(t*x/5),x*cos(t*x/5),x*sin(t*x/5)",
-                           "exp(x),exp(-x),cos(x),sin(x)", "exp(s*x),exp(-s*x),cos(2*s*x/3),sin(2*s*x/3)", "exp((sqrt(2)+sqrt(3)/2)*x), exp(-(sqrt(2)+sqrt(3)/2)*x)",
-                           "exp(cos(pi/7)*x),exp(-cos(pi/7)*x)"}) {
+  for (const char* text :
+       {"cos(2*pi/7*x), sin(2*pi/7*x)", "exp(x), exp(-x)", "exp(x/2), exp(-x/2)", "1, x, exp(pi*x/6), exp(-pi*x/6)",
+        "cosh(sqrt(2)*x/3), sinh(sqrt(2)*x/3)", "exp(sqrt(2)*sqrt(3)*x), exp(-sqrt(3)*sqrt(2)*x)",
+        "exp(pi^2*x), exp(-pi^2*x)", "exp(2^(1/3)*x), exp(-2^(1/3)*x)", "exp(log(2)*x), exp(-log(2)*x)",
+        "cos(t*x/5),sin(t*x/5),x*cos(t*x/5),x*sin(t*x/5)", "exp(x),exp(-x),cos(x),sin(x)",
+        "exp(s*x),exp(-s*x),cos(2*s*x/3),sin(2*s*x/3)", "exp((sqrt(2)+sqrt(3)/2)*x), exp(-(sqrt(2)+sqrt(3)/2)*x)",
+        "exp(cos(pi/7)*x),exp(-cos(pi/7)*x)"}) {
     const Space s = Space::parse(text);
-    EXPECT_TRUE(same(Space::parse(s.to_string()), s)) << text << " -> " << s.to_string() << " -> " << Space::parse(s.to_string()).to_string();
+    EXPECT_TRUE(same(Space::parse(s.to_string()), s))
+        << text << " -> " << s.to_string() << " -> " << Space::parse(s.to_string()).to_string();
   }
 }
 
@@ -257,7 +265,8 @@ RC_GTEST_PROP(Space, RebaseKeepsTheFunctions, (const Space& s, const Space& refe
   RC_ASSERT(r.scale.size() == reference.variables().size());
   for (size_t i = 0; i < r.scale.size(); ++i) {
     RC_ASSERT(r.space.variables()[i].name == reference.variables()[i].name);
-    RC_ASSERT(r.space.variables()[i].factor * Rational(static_cast<long>(r.scale[i])) == reference.variables()[i].factor);
+    RC_ASSERT(r.space.variables()[i].factor * Rational(static_cast<long>(r.scale[i])) ==
+              reference.variables()[i].factor);
   }
 }
 

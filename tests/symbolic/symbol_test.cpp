@@ -59,7 +59,8 @@ TEST(BsplineSymbol, PolynomialsAreBinomials) {
     const Laurent a = bspline_symbol(polynomials(n + 1));
     for (long i = 0; i <= static_cast<long>(n) + 1; ++i)
       EXPECT_EQ(a.coefficient(a.lowest() + i).constant(),
-                Rational::binomial(Rational(static_cast<long>(n) + 1), static_cast<unsigned>(i)) * Rational(2).pow(-static_cast<long>(n)));
+                Rational::binomial(Rational(static_cast<long>(n) + 1), static_cast<unsigned>(i)) *
+                    Rational(2).pow(-static_cast<long>(n)));
   }
 }
 
@@ -94,7 +95,8 @@ RC_GTEST_PROP(BsplineSymbol, TwoStepsOfTwoAreOneOfFourWithLevels, (const Space& 
 }
 
 TEST(BsplineSymbol, AtOneIsThePolynomialBspline) {
-  for (const char* text : {"1,x,exp(t*x),exp(-t*x)", "exp(t*x),exp(-t*x),exp(3*t*x),exp(-3*t*x)", "1,cos(s*x),sin(s*x),exp(t*x),exp(-t*x)"}) {
+  for (const char* text : {"1,x,exp(t*x),exp(-t*x)", "exp(t*x),exp(-t*x),exp(3*t*x),exp(-3*t*x)",
+                           "1,cos(s*x),sin(s*x),exp(t*x),exp(-t*x)"}) {
     const Space space = Space::parse(text);
     for (int m = 2; m <= 4; ++m) {
       Laurent a = bspline_symbol(space, m);

@@ -68,6 +68,11 @@ void read_mask(Fields& fields, Certificate& certificate, Meter& meter) {
     throw Malformed("mask.denominator: a polynomial with positive leading coefficient is expected");
   }
   mask.done();
+  certificate.mask.top = degrees(certificate.mask.denominator);
+  for (const Polynomial& numerator : certificate.mask.numerators) {
+    const Monomial d = degrees(numerator);
+    for (std::size_t i = 0; i < d.size(); ++i) certificate.mask.top[i] = std::max(certificate.mask.top[i], d[i]);
+  }
   const auto& n = certificate.mask.numerators;
   certificate.symmetric = std::equal(n.begin(), n.end(), n.rbegin());
 }

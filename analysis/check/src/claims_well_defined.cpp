@@ -26,10 +26,7 @@ Finding check_well_defined(const Context& context, Fields& fields, bool proved) 
   const Angle angle = read_angle(witness, context.meter);
   witness.done();
   const auto order = root_order(angle, certificate.arity);
-  const auto vanishes = [&](const Polynomial& p) {
-    Dense copy = dense(p);
-    return copy.empty() || divide_out_cosine(copy, *order, context.meter) > 0;
-  };
+  const auto vanishes = [&](const Polynomial& p) { return cosine_divides(dense(p), *order, context.meter); };
   if (!order || !vanishes(mask.denominator)) throw Refused("the denominator does not vanish at the witness");
   if (std::all_of(mask.numerators.begin(), mask.numerators.end(), vanishes)) {
     throw Refused("all numerators vanish at the witness");

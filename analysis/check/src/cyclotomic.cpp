@@ -75,6 +75,7 @@ Dense cosine_polynomial(std::uint64_t n, Meter& meter) {
 }
 
 int divide_out_cosine(Dense& p, std::uint64_t n, Meter& meter) {
+  meter.spend(1000);  // euler_phi for n <= 10^6
   if (euler_phi(n) / 2 + 1 > p.size()) return 0;
   const Dense g = cosine_polynomial(n, meter);
   int times = 0;
@@ -83,6 +84,12 @@ int divide_out_cosine(Dense& p, std::uint64_t n, Meter& meter) {
     ++times;
   }
   return times;
+}
+
+bool cosine_divides(const Dense& p, std::uint64_t n, Meter& meter) {
+  meter.spend(1000);
+  if (p.empty()) return true;
+  return euler_phi(n) / 2 + 1 <= p.size() && quotient(p, cosine_polynomial(n, meter), meter).has_value();
 }
 
 }  // namespace twoscale::check

@@ -25,6 +25,8 @@ int common_sign(const Polynomial& p, const std::vector<std::size_t>& constants) 
   return sign;
 }
 
+std::string shortened(const std::string& text) { return text.size() <= 200 ? text : text.substr(0, 200) + "..."; }
+
 }  // namespace
 
 std::optional<std::uint64_t> root_order(const Angle& angle, int arity) {
@@ -66,7 +68,6 @@ Exceptions::Exceptions(const Value& value, const Certificate& certificate, const
     : certificate_(certificate), meter_(meter) {
   const std::vector<Value>& items = as_array(value, where);
   if (items.size() > limits::list_items) throw Malformed(where + ": more than 4096 exceptions");
-  std::string before;
   for (std::size_t i = 0; i < items.size(); ++i) {
     Fields item(items[i], where + "[" + std::to_string(i) + "]");
     if (certificate.single_level()) {
@@ -91,11 +92,10 @@ Exceptions::Exceptions(const Value& value, const Certificate& certificate, const
           content(condition, meter) != 1) {
         throw Malformed(path + ": a primitive polynomial with positive leading coefficient is expected");
       }
-      if (i > 0 && !(before < text)) throw Malformed(path + ": conditions must be distinct and sorted");
+      if (i > 0 && !(conditions_.back().text < text))
+        throw Malformed(path + ": conditions must be distinct and sorted");
       if (common_sign(condition, certificate.constants) != 0) throw Refused(path + ": cannot vanish on the domain");
-      before = text;
-      conditions_.push_back(std::move(condition));
-      condition_used_.push_back(false);
+      conditions_.push_back({text, std::move(condition)});
     }
     item.done();
   }
@@ -139,8 +139,11 @@ void Exceptions::single(Dense p, const std::string& what) {
 }
 
 void Exceptions::several(Polynomial p, const std::string& what) {
-  for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    while (divide_out(p, conditions_[i], meter_)) condition_used_[i] = true;
+  for (Condition& condition : conditions_) {
+    while (auto rest = quotient(p, condition.polynomial, meter_)) {
+      p = std::move(*rest);
+      condition.used = true;
+    }
   }
   if (common_sign(p, certificate_.constants) == 0) {
     throw Refused(
@@ -150,15 +153,10 @@ void Exceptions::several(Polynomial p, const std::string& what) {
 
 void Exceptions::mark_zeros(const Polynomial& p) {
   if (certificate_.single_level()) {
-    for (auto& [n, used] : orders_) {
-      Dense copy = dense(p);
-      if (divide_out_cosine(copy, n, meter_) > 0) used = true;
-    }
+    const Dense d = dense(p);
+    for (auto& [n, used] : orders_) used = used || cosine_divides(d, n, meter_);
   }
-  for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    Polynomial copy = p;
-    if (divide_out(copy, conditions_[i], meter_)) condition_used_[i] = true;
-  }
+  for (Condition& c : conditions_) c.used = c.used || quotient(p, c.polynomial, meter_).has_value();
 }
 
 void Exceptions::require_all_used(const std::string& of_what) const {
@@ -167,11 +165,9 @@ void Exceptions::require_all_used(const std::string& of_what) const {
       throw Refused("the listed exception " + text_of(angle) + " is not a zero of " + of_what);
     }
   }
-  for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    if (!condition_used_[i]) {
-      throw Refused("the listed condition " + text_of(conditions_[i], certificate_.names) + " does not divide " +
-                    of_what);
-    }
+  for (const Condition& condition : conditions_) {
+    if (!condition.used)
+      throw Refused("the listed condition " + shortened(condition.text) + " does not divide " + of_what);
   }
 }
 
@@ -179,25 +175,23 @@ void Exceptions::require_poles() const {
   const auto& numerators = certificate_.mask.numerators;
   for (const auto& [n, used] : orders_) {
     const bool pole = std::any_of(numerators.begin(), numerators.end(), [&, order = n](const Polynomial& numerator) {
-      Dense copy = dense(numerator);
-      return !copy.empty() && divide_out_cosine(copy, order, meter_) == 0;
+      return !cosine_divides(dense(numerator), order, meter_);
     });
     if (!pole) throw Refused("at a listed exception all numerators vanish with the denominator");
   }
-  for (const Polynomial& condition : conditions_) {
-    const bool pole = std::any_of(numerators.begin(), numerators.end(),
-                                  [&](Polynomial numerator) { return !divide_out(numerator, condition, meter_); });
-    if (!pole) {
-      throw Refused("the listed condition " + text_of(condition, certificate_.names) + " divides all numerators");
-    }
+  for (const Condition& condition : conditions_) {
+    const bool pole = std::any_of(numerators.begin(), numerators.end(), [&](const Polynomial& numerator) {
+      return !quotient(numerator, condition.polynomial, meter_);
+    });
+    if (!pole) throw Refused("the listed condition " + shortened(condition.text) + " divides all numerators");
   }
 }
 
 std::string Exceptions::text() const {
   std::string text;
   for (const Angle& angle : angles_) text += (text.empty() ? " except " : ", ") + text_of(angle);
-  for (const Polynomial& condition : conditions_) {
-    text += (text.empty() ? " except where " : ", ") + text_of(condition, certificate_.names) + " = 0 at some level";
+  for (const Condition& condition : conditions_) {
+    text += (text.empty() ? " except where " : ", ") + shortened(condition.text) + " = 0 at some level";
   }
   const std::string domain = certificate_.names.empty()    ? "at every level"
                              : certificate_.single_level() ? "for every v^0 > -1 and every level"

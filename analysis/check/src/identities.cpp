@@ -59,14 +59,9 @@ bool sum_rule_holds(const std::vector<Polynomial>& numerators, long lowest, int 
 void Identities::expand() {
   if (expanded_) return;
   const Mask& mask = certificate_.mask;
-  Monomial top = degrees(mask.denominator);
-  for (const Polynomial& n : mask.numerators) {
-    const Monomial d = degrees(n);
-    for (std::size_t i = 0; i < top.size(); ++i) top[i] = std::max(top[i], d[i]);
-  }
   const int q = static_cast<int>(certificate_.e.denominator);
   const auto expanded = [&](Polynomial p) {
-    for (const std::size_t j : certificate_.level) p = substitute(p, j, top[j], q, meter_);
+    for (const std::size_t j : certificate_.level) p = substitute(p, j, mask.top[j], q, meter_);
     hold(p, meter_);
     return p;
   };

@@ -22,11 +22,6 @@ Point::Point(const Value& at, const Certificate& certificate, const std::string&
   if (items.size() != count) throw Malformed(where + ": one number for each variable is expected");
   for (const Value& item : items) at_.push_back(parse_fraction(as_string(item, where), where, meter));
 
-  Monomial top = degrees(certificate.mask.denominator);
-  for (const Polynomial& n : certificate.mask.numerators) {
-    const Monomial d = degrees(n);
-    for (std::size_t i = 0; i < count; ++i) top[i] = std::max(top[i], d[i]);
-  }
   const auto powers = [&](const Integer& base, int degree) {
     std::vector<Integer> list{1};
     for (int d = 0; d < degree; ++d) {
@@ -44,8 +39,8 @@ Point::Point(const Value& at, const Certificate& certificate, const std::string&
       v.numerator = meter.multiply(p, p) + meter.multiply(w, w);  // v = (E + 1/E)/2, E = p/w
       v.denominator = 2 * meter.multiply(p, w);
     }
-    numerator_.push_back(powers(v.numerator, top[i]));
-    denominator_.push_back(powers(v.denominator, top[i]));
+    numerator_.push_back(powers(v.numerator, certificate.mask.top[i]));
+    denominator_.push_back(powers(v.denominator, certificate.mask.top[i]));
   }
   mask_denominator_ = evaluate(certificate.mask.denominator);
   if (mask_denominator_ == 0) throw Refused(where + ": the denominator of the mask vanishes at the point");

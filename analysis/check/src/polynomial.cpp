@@ -107,29 +107,6 @@ Polynomial parse_polynomial(std::string_view text, std::span<const std::string> 
   return Reader(text, names, where, meter).read();
 }
 
-std::string text_of(const Polynomial& p, std::span<const std::string> names) {
-  if (p.empty()) return "0";
-  std::string out;
-  for (const auto& [monomial, coefficient] : p) {
-    if (coefficient < 0)
-      out += "-";
-    else if (!out.empty())
-      out += "+";
-    std::string factors;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (monomial[i] == 0) continue;
-      if (!factors.empty()) factors += "*";
-      factors += names[i];
-      if (monomial[i] != 1) factors += "^" + std::to_string(monomial[i]);
-    }
-    const Integer size = abs(coefficient);
-    if (factors.empty() || size != 1) out += size.str();
-    if (!factors.empty() && size != 1) out += "*";
-    out += factors;
-  }
-  return out;
-}
-
 void add_term(Polynomial& target, const Monomial& monomial, const Integer& amount, Meter& meter) {
   if (amount == 0) return;
   const auto [place, fresh] = target.try_emplace(monomial);
@@ -150,14 +127,9 @@ void add_scaled(Polynomial& target, const Polynomial& p, const Integer& factor, 
   }
 }
 
-Polynomial multiply(const Polynomial& p, const Polynomial& q, Meter& meter) {
-  Polynomial result;
-  for (const auto& [monomial, coefficient] : q) add_scaled(result, p, coefficient, monomial, meter);
-  return result;
-}
-
-bool divide_out(Polynomial& p, const Polynomial& g, Meter& meter) {
-  if (p.empty()) return true;
+std::optional<Polynomial> quotient(const Polynomial& p, const Polynomial& g, Meter& meter) {
+  if (p.empty()) return Polynomial{};
+  for (const auto& [monomial, coefficient] : p) meter.spend(term_work + words(coefficient));
   const Monomial top = degrees(p);
   const Monomial divisor_top = degrees(g);
   const auto& [lead, lead_coefficient] = *g.begin();
@@ -167,17 +139,16 @@ bool divide_out(Polynomial& p, const Polynomial& g, Meter& meter) {
     Monomial shift = rest.begin()->first;
     for (std::size_t i = 0; i < shift.size(); ++i) {
       shift[i] -= lead[i];
-      if (shift[i] < 0 || shift[i] > top[i] - divisor_top[i]) return false;
+      if (shift[i] < 0 || shift[i] > top[i] - divisor_top[i]) return std::nullopt;
     }
-    meter.spend(words(rest.begin()->second) * words(lead_coefficient) + term_work);
+    meter.spend(3 * words(rest.begin()->second) * words(lead_coefficient) + term_work);
     Integer factor, remainder;
     divide_qr(rest.begin()->second, lead_coefficient, factor, remainder);
-    if (remainder != 0) return false;
+    if (remainder != 0) return std::nullopt;
     add_scaled(rest, g, -factor, shift, meter);
     result.emplace_hint(result.end(), shift, std::move(factor));
   }
-  p = std::move(result);
-  return true;
+  return result;
 }
 
 Monomial degrees(const Polynomial& p) {

@@ -75,13 +75,14 @@ Dense dense(const Polynomial& p) {
 std::optional<Dense> quotient(const Dense& p, const Dense& g, Meter& meter) {
   if (p.empty()) return Dense{};
   if (p.size() < g.size()) return std::nullopt;
+  for (const Integer& c : p) meter.spend(words(c) + 10);
   Dense rest = p;
   Dense result(p.size() - g.size() + 1);
   for (std::size_t shift = result.size(); shift-- > 0;) {
     Integer& lead = rest[shift + g.size() - 1];
     if (lead == 0) continue;
     Integer factor, remainder;
-    meter.spend(words(lead) * words(g.back()) + 20);
+    meter.spend(3 * words(lead) * words(g.back()) + 20);
     divide_qr(lead, g.back(), factor, remainder);
     if (remainder != 0) return std::nullopt;
     for (std::size_t i = 0; i < g.size(); ++i) rest[shift + i] -= meter.multiply(factor, g[i]);

@@ -14,11 +14,13 @@ namespace twoscale::lowering {
 
 namespace {
 
-constexpr long largest_relation = 6;      // degree looked for by lattice reduction
-constexpr long largest_degree = 256;      // of a minimal polynomial in the tower
+constexpr long largest_relation = 6;          // degree looked for by lattice reduction
+constexpr long largest_degree = 256;          // of a minimal polynomial in the tower
 constexpr long largest_liouville = 1L << 18;  // bits
 
-Polynomial renamed(const Polynomial& p, const std::string& name) { return Polynomial::univariate(name, p.univariate_view()); }
+Polynomial renamed(const Polynomial& p, const std::string& name) {
+  return Polynomial::univariate(name, p.univariate_view());
+}
 
 Ball horner(const Polynomial& univariate, const Ball& x, long bits) {
   const fmpz_poly_struct* p = univariate.univariate_view();
@@ -210,7 +212,7 @@ Zero ZeroTest::decide(const Polynomial& p, std::optional<unsigned> k) {
   for (long bits = 128; bits <= 4096; bits *= 4)
     if (!value(p, k, bits).contains_zero()) return Zero::no;
   long degree = 1;
-  Rational leading = 1;                    // A
+  Rational leading = 1;                       // A
   std::vector<Rational> bound(names.size());  // of all conjugates
   for (size_t i = 0; i < names.size(); ++i) {
     Polynomial m;

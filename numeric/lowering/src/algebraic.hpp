@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact zero tests at the values of level variables and constants.
 //
-// The minimal polynomial of v^{[k+1]} is the irreducible factor of M_k(T_m(x)) that vanishes there, M_k that of v^{[k]}.
-// Degrees never decrease with k (Q(v^{[k]}) lies in Q(v^{[k+1]})), so a polynomial of smaller degree than some M_j, j <= k,
-// cannot vanish at v^{[k]}; otherwise P(v^{[k]}) = 0 iff M_k divides P. In several variables a zero is proved by Liouville's
-// bound: if c_i is the leading coefficient and d_i the degree of the i-th minimal polynomial, A = prod c_i^{deg_i P} and
-// |P| <= B at all conjugates, then P = 0 or |P| >= A^{-1} (A B)^{1 - prod d_i}.
+// The minimal polynomial of v^{[k+1]} is the irreducible factor of M_k(T_m(x)) that vanishes there, M_k that of
+// v^{[k]}. Degrees never decrease with k (Q(v^{[k]}) lies in Q(v^{[k+1]})), so a polynomial of smaller degree than some
+// M_j, j <= k, cannot vanish at v^{[k]}; otherwise P(v^{[k]}) = 0 iff M_k divides P. In several variables a zero is
+// proved by Liouville's bound: if c_i is the leading coefficient and d_i the degree of the i-th minimal polynomial, A =
+// prod c_i^{deg_i P} and |P| <= B at all conjugates, then P = 0 or |P| >= A^{-1} (A B)^{1 - prod d_i}.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@
 
 namespace twoscale::lowering {
 
-// Of a number written as a rational, cos or sin of a rational multiple of pi, or of degree up to 6 with a provable zero;
-// in the variable "x", primitive, irreducible. nullopt if it is not found.
+// Of a number written as a rational, cos or sin of a rational multiple of pi, or of degree up to 6 with a provable
+// zero; in the variable "x", primitive, irreducible. nullopt if it is not found.
 std::optional<Polynomial> minimal_polynomial_of(const ExactReal& x);
 // exp, cosh, cos, ... of a rational other than 0 (Lindemann). False if it is not known.
 bool known_transcendental(const ExactReal& x);
@@ -25,7 +25,7 @@ bool known_transcendental(const ExactReal& x);
 // One variable of a mask: a level variable or a constant.
 struct Variable {
   std::string name;
-  const LevelValue* level = nullptr;    // one of the two
+  const LevelValue* level = nullptr;  // one of the two
   const ExactReal* constant = nullptr;
 };
 

@@ -90,8 +90,9 @@ class Binder {
   Binding finish() {
     for (const LevelVariable& v : variables_)
       if (!result_.levels.contains(v.name))
-        bad_input(variables_.size() == 1 ? "a value of v^0 is missing: give --v0 or --t for the frequency"
-                                         : "a value is missing: give it with --at " + v.symbol + "=... for the frequency",
+        bad_input(variables_.size() == 1
+                      ? "a value of v^0 is missing: give --v0 or --t for the frequency"
+                      : "a value is missing: give it with --at " + v.symbol + "=... for the frequency",
                   v.frequency());
     for (const Parameter& p : scheme_.parameters)
       if (p.scope == Parameter::Scope::constant && !result_.constants.contains(p.name))
@@ -115,7 +116,8 @@ class Binder {
 
   void insert(const LevelVariable& v, LevelValue value) {
     if (!v.symbol.empty() || !result_.levels.contains(v.name)) {
-      if (!result_.levels.emplace(v.name, std::move(value)).second) bad_input("parameter is bound twice", v.frequency());
+      if (!result_.levels.emplace(v.name, std::move(value)).second)
+        bad_input("parameter is bound twice", v.frequency());
       return;
     }
     bad_input("the frequency is fixed by the scheme", v.frequency());

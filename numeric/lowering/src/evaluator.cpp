@@ -10,7 +10,8 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "tables of balls are read as a
 Polynomial shifted_by_one(const Polynomial& p, const std::vector<Variable>& variables) {
   const auto& names = p.variables();
   if (names.size() == 1) {
-    const auto v = std::find_if(variables.begin(), variables.end(), [&](const Variable& x) { return x.name == names[0]; });
+    const auto v =
+        std::find_if(variables.begin(), variables.end(), [&](const Variable& x) { return x.name == names[0]; });
     if (v == variables.end() || v->level == nullptr) return p;
     fmpz_poly_t shifted;
     fmpz_poly_init(shifted);

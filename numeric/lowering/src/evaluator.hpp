@@ -39,7 +39,7 @@ class Form {
     std::vector<unsigned> exponents;  // by variable index
   };
   Polynomial shifted_;
-  int variable_ = -1;       // of a dense form; -1: constant or several variables
+  int variable_ = -1;  // of a dense form; -1: constant or several variables
   long valuation_ = 0;
   std::vector<long> degrees_;
   std::vector<Term> terms_;  // several variables

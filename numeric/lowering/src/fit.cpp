@@ -50,7 +50,8 @@ std::vector<Rational> integers(const kernels::PointSet& points) {
   }
   for (Rational& v : x) {
     v *= common;
-    if (fmpz_sizeinbase(v.numerator(), 10) > 2 * most_digits) bad_input("the numbers span too many orders of magnitude");
+    if (fmpz_sizeinbase(v.numerator(), 10) > 2 * most_digits)
+      bad_input("the numbers span too many orders of magnitude");
   }
   return x;
 }
@@ -77,8 +78,7 @@ Ball longest(const std::vector<IntegerPolynomial>& r, size_t dim, const Ball& v,
   for (size_t j = 0; j < r.size(); j += dim) {
     arb_zero(sum.raw());
     for (size_t c = 0; c < dim; ++c) {
-      if (derivative)
-        fmpz_poly_derivative(d.p, r[j + c].p);
+      if (derivative) fmpz_poly_derivative(d.p, r[j + c].p);
       arb_fmpz_poly_evaluate_arb(value.raw(), derivative ? d.p : r[j + c].p, v.raw(), bits);
       arb_addmul(sum.raw(), value.raw(), value.raw(), bits);
     }

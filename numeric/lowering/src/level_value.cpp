@@ -13,6 +13,7 @@ namespace {
 constexpr long guard = 24;
 
 int decided(const ExactReal& x, const char* what, const std::string& text) {
+  if (!x.enclose(256).is_finite()) bad_input("the value is not a real number", text);
   switch (x.sign()) {
     case Sign::negative: return -1;
     case Sign::zero: return 0;
@@ -33,7 +34,8 @@ Rational reduced_angle(const Rational& r) {
 
 // T_m(1 + x) - 1 = sum_{j >= 1} c_j x^j.
 std::vector<Rational> offset_recurrence(int arity) {
-  const Polynomial t = Polynomial::chebyshev("x", static_cast<unsigned>(arity)).substitute("x", Polynomial::variable("x") + 1) - 1;
+  const Polynomial t =
+      Polynomial::chebyshev("x", static_cast<unsigned>(arity)).substitute("x", Polynomial::variable("x") + 1) - 1;
   std::vector<Rational> c(static_cast<size_t>(arity) + 1);
   t.for_each_term([&](const Rational& k, std::span<const unsigned long> e) { c[e[0]] = k; });
   return c;
@@ -62,13 +64,13 @@ LevelValue LevelValue::from_v0(const ExactReal& v0, std::string text, int arity)
 LevelValue LevelValue::hyperbolic(const ExactReal& t, std::string text, int arity) {
   using F = ExactReal::Function;
   if (const auto x = t.argument_of(F::acosh)) return from_v0(*x, std::move(text), arity);
-  if (const auto x = t.argument_of(F::log); x && decided(*x, "cannot decide the sign of a logarithm's argument", text) > 0)
+  if (const auto x = t.argument_of(F::log);
+      x && decided(*x, "cannot decide the sign of a logarithm's argument", text) > 0)
     return from_v0((*x + ExactReal(1) / *x) / ExactReal(2), std::move(text), arity);
   LevelValue v;
   v.arity_ = arity;
   v.angle_ = t;
   v.side_ = decided(t, "cannot decide whether the frequency is 0", text) == 0 ? 0 : 1;
-  if (!t.enclose(64).is_finite()) bad_input("the frequency has no real value", text);
   v.v0_ = v.side_ == 0 ? ExactReal(1) : ExactReal::apply(F::cosh, t);
   v.text_ = std::move(text);
   return v;
@@ -103,7 +105,8 @@ ExactReal LevelValue::exact(unsigned k) const {
   using F = ExactReal::Function;
   if (k == 0 || side_ == 0) return v0_;
   if (angle_ && v0_.rational() == std::nullopt)
-    return ExactReal::apply(circular_ ? F::cos : F::cosh, *angle_ / ExactReal(Rational(static_cast<long>(arity_)).pow(k)));
+    return ExactReal::apply(circular_ ? F::cos : F::cosh,
+                            *angle_ / ExactReal(Rational(static_cast<long>(arity_)).pow(k)));
   if (arity_ == 2) {
     ExactReal v = v0_;
     for (unsigned j = 0; j < k; ++j) v = ((ExactReal(1) + v) / ExactReal(2)).pow(Rational(1, 2));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mask tables. Notation: coefficients a_i = N_i/(content * D), D = prod f^e over the irreducible factors, all polynomials in
-// u = v - 1 (evaluator.hpp). Rounding follows Ziv: a ball that does not decide a digit is computed again with more bits; a
-// ball around zero is settled by an exact zero test, and so is a ball around a tie.
+// Mask tables. Notation: coefficients a_i = N_i/(content * D), D = prod f^e over the irreducible factors, all
+// polynomials in u = v - 1 (evaluator.hpp). Rounding follows Ziv: a ball that does not decide a digit is computed again
+// with more bits; a ball around zero is settled by an exact zero test, and so is a ball around a tie.
 #include "twoscale/lowering/lower.hpp"
 
 #include <algorithm>
@@ -23,6 +23,7 @@ constexpr long least_digits = 17;
 constexpr long most_digits = 10000;
 constexpr long most_output = 1L << 31;  // characters
 constexpr int most_retries = 8;
+constexpr long largest_expanded = 48;  // degree up to which the denominator is evaluated as one polynomial
 
 // One printed number.
 struct Cell {
@@ -49,10 +50,14 @@ struct Factor {
 class Lowering {
  public:
   Lowering(const Scheme& scheme, const Binding& binding, const LowerOptions& options)
-      : scheme_(scheme), binding_(binding), options_(options), zero_(variables_of(scheme, binding)),
+      : scheme_(scheme),
+        binding_(binding),
+        options_(options),
+        zero_(variables_of(scheme, binding)),
         rounder_(std::max(1L, options.digits)) {
     if (options.levels > most_levels)
-      bad_input("levels: at most " + std::to_string(most_levels) + " can be tabulated, not", std::to_string(options.levels));
+      bad_input("levels: at most " + std::to_string(most_levels) + " can be tabulated, not",
+                std::to_string(options.levels));
     if (options.digits != 0 && (options.digits < least_digits || options.digits > most_digits))
       bad_input("digits must lie between " + std::to_string(least_digits) + " and " + std::to_string(most_digits),
                 std::to_string(options.digits));
@@ -131,6 +136,10 @@ class Lowering {
     for (const Entry& e : entries_)
       if (e.form) widen(*e.form);
     for (const Factor& f : factors_) widen(f.form);
+    if (denominator_.total_degree() <= largest_expanded) {
+      whole_ = Form(denominator_, variables());
+      widen(*whole_);
+    }
     several_ = std::count_if(degrees_.begin(), degrees_.end(), [](long degree) { return degree > 0; }) > 1;
     const size_t numbers = (place_.size() + extension_.size()) * (options_.levels + 1);
     if (static_cast<double>(numbers) * static_cast<double>(options_.digits + 32) > static_cast<double>(most_output))
@@ -169,7 +178,8 @@ class Lowering {
       for (const Factor& f : factors_) factors.emplace_back(f.polynomial, f.exponent);
       text += RationalFunction::over_factors(total, content_, factors).to_string();
     }
-    const bool constants = std::all_of(coset.begin(), coset.end(), [&](const Polynomial& p) { return p == denominator_; });
+    const bool constants =
+        std::all_of(coset.begin(), coset.end(), [&](const Polynomial& p) { return p == denominator_; });
     return text + (constants ? "; every coset sums to 1 (constants are reproduced)"
                              : "; not every coset sums to 1 (constants are not reproduced)");
   }
@@ -227,13 +237,21 @@ class Lowering {
 
   // The guard covers the growth of errors in a mask of moderate size; what it does not cover is done again.
   long working_bits() const {
-    return options_.digits == 0 ? 53 + 64 : static_cast<long>(std::ceil(static_cast<double>(options_.digits) * 3.3219281)) + 64;
+    return options_.digits == 0 ? 53 + 64
+                                : static_cast<long>(std::ceil(static_cast<double>(options_.digits) * 3.3219281)) + 64;
   }
 
   // ---- Evaluation at one level: k is the fine level, nullopt the limit
 
   // 1/(content D) at the point; false if a factor's ball contains zero (it is then the one returned).
   bool inverse_denominator(const Point& point, long bits, Ball& inverse, const Factor** culprit) {
+    if (whole_) {
+      point.evaluate(inverse.raw(), *whole_);
+      if (!inverse.contains_zero()) {
+        arb_inv(inverse.raw(), inverse.raw(), bits);
+        return true;
+      }
+    }
     arb_set_fmpz(inverse.raw(), content_.numerator());
     for (const Factor& f : factors_) {
       point.evaluate(scratch_.raw(), f.form);
@@ -271,15 +289,16 @@ class Lowering {
       at += (at.empty() ? "v^0 = " : " (v^0 = ") + (v0.rational() ? v0.rational()->to_string() : v0.decimal(17)) +
             (at.empty() ? "" : ")");
     }
-    Error error(Error::Kind::bad_input,
-                (k ? "the step at level k = " + std::to_string(*k - 1) + " is singular" : std::string("the limit mask has a pole")) +
-                    (at.empty() ? "" : " for " + at));
+    Error error(Error::Kind::bad_input, (k ? "the step at level k = " + std::to_string(*k - 1) + " is singular"
+                                           : std::string("the limit mask has a pole")) +
+                                            (at.empty() ? "" : " for " + at));
     error.offending = at;
     throw error;
   }
 
   [[noreturn]] void undecided(const std::string& what, std::optional<unsigned> k) const {
-    throw Error(Error::Kind::undecided, "cannot decide " + what + (k ? " at level k = " + std::to_string(*k - 1) : " in the limit"));
+    throw Error(Error::Kind::undecided,
+                "cannot decide " + what + (k ? " at level k = " + std::to_string(*k - 1) : " in the limit"));
   }
 
   // A factor whose ball contains zero: throws if it is zero, returns if it is not (or if that is still open).
@@ -365,7 +384,8 @@ class Lowering {
   }
 
   // The same where all variables are rational numbers.
-  void cells_at(const std::vector<std::pair<std::string, Rational>>& at, std::optional<unsigned> k, std::vector<Cell>& cells) {
+  void cells_at(const std::vector<std::pair<std::string, Rational>>& at, std::optional<unsigned> k,
+                std::vector<Cell>& cells) {
     Rational bottom = content_;
     for (const Factor& f : factors_) {
       const Rational value = f.polynomial.evaluate(at);
@@ -486,9 +506,10 @@ class Lowering {
   // ---- The tail
   //
   // With D including its content, a_i(u) - a_i(0) = (N_i(u) D(0) - N_i(0) D(u)) / (D(u) D(0))
-  // = sum_j u_j H_{ij}(u) / (D(u) D(0)), exactly: H_{ij} collects the terms in which u_j is the first level variable. For k >= K the offsets lie between u^{[K+1]} and 0, so
-  // |u_j| sup |H_{ij}| / inf |D| over that hull bounds all of them at once. While the hull is too wide (a pole may lie in
-  // between, which the sequence steps over), levels are taken one by one.
+  // = sum_j u_j H_{ij}(u) / (D(u) D(0)), exactly: H_{ij} collects the terms in which u_j is the first level variable.
+  // For k >= K the offsets lie between u^{[K+1]} and 0, so |u_j| sup |H_{ij}| / inf |D| over that hull bounds all of
+  // them at once. While the hull is too wide (a pole may lie in between, which the sequence steps over), levels are
+  // taken one by one.
   struct TailForms {
     std::vector<std::vector<std::pair<size_t, Form>>> parts;  // for each entry: (variable, H)
     std::optional<Form> at_zero;                              // D(0), a polynomial in the constants
@@ -514,7 +535,8 @@ class Lowering {
         const Polynomial next = rest.substitute(v.name, 0);
         const Polynomial h = rest - next;
         if (!h.is_zero())
-          parts.emplace_back(j, Form::of_shifted(Polynomial::exact_quotient(h, Polynomial::variable(v.name)), variables()));
+          parts.emplace_back(
+              j, Form::of_shifted(Polynomial::exact_quotient(h, Polynomial::variable(v.name)), variables()));
         rest = next;
       }
       t.parts.push_back(std::move(parts));
@@ -628,11 +650,12 @@ class Lowering {
   long lowest_ = 0;
   Rational content_;
   std::vector<Factor> factors_;
-  Polynomial denominator_;       // content * D, expanded
-  std::vector<Entry> entries_;   // distinct coefficients, then extension weights
-  std::vector<size_t> place_;    // entry of each mask coefficient
+  Polynomial denominator_;      // content * D, expanded
+  std::optional<Form> whole_;   // the same, where its degree is small
+  std::vector<Entry> entries_;  // distinct coefficients, then extension weights
+  std::vector<size_t> place_;   // entry of each mask coefficient
   std::vector<size_t> extension_;
-  std::vector<long> degrees_;    // by variable, over all forms
+  std::vector<long> degrees_;  // by variable, over all forms
   long valuation_ = 0;
   bool several_ = false;
   long worst_ = none;

@@ -12,8 +12,8 @@ namespace twoscale::lowering {
 
 namespace {
 
-constexpr double most_points = 2147483648.0;   // 2^31
-constexpr double most_output = 4294967296.0;   // characters or bytes of balls
+constexpr double most_points = 2147483648.0;  // 2^31
+constexpr double most_output = 4294967296.0;  // characters or bytes of balls
 constexpr long most_decimals = 20000;
 constexpr int most_attempts = 6;
 
@@ -68,8 +68,9 @@ void check_size(const Scheme& scheme, const kernels::PointSet& points, const Ref
   const double out = static_cast<double>(points.size()) * std::pow(scheme.arity, options.levels);
   const double size = out * static_cast<double>(points.dim) * (static_cast<double>(options.digits) + 64);
   if (out > most_points || (options.digits > 0 && size > most_output))
-    bad_input("too many points would come out", std::to_string(points.size()) + " points, " + std::to_string(options.levels) +
-                                                    " levels of arity " + std::to_string(scheme.arity));
+    bad_input("too many points would come out", std::to_string(points.size()) + " points, " +
+                                                    std::to_string(options.levels) + " levels of arity " +
+                                                    std::to_string(scheme.arity));
 }
 
 kernels::PointSet refine_digits(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
@@ -86,7 +87,8 @@ kernels::PointSet refine_digits(const Scheme& scheme, const Binding& binding, co
       long decimals = 0;
       while (!(x * scale * Rational(10).pow(decimals)).is_integer()) {
         decimals = decimals == 0 ? 1 : decimals * 2;
-        if (decimals > most_decimals) bad_input("a number is too small for refinement with digits", x.to_string().substr(0, 40));
+        if (decimals > most_decimals)
+          bad_input("a number is too small for refinement with digits", x.to_string().substr(0, 40));
       }
       scale *= Rational(10).pow(decimals);
     }

@@ -30,7 +30,8 @@ void write_digits(char* to, unsigned long value, int count) {
   while (count >= 8) {
     const unsigned long rest = value / 100000000;
     auto block = static_cast<unsigned>(value - rest * 100000000);
-    for (int i = 2; i <= 8; i += 2, block /= 100) std::memcpy(to + count - i, &pairs[2 * static_cast<size_t>(block % 100)], 2);
+    for (int i = 2; i <= 8; i += 2, block /= 100)
+      std::memcpy(to + count - i, &pairs[2 * static_cast<size_t>(block % 100)], 2);
     count -= 8;
     value = rest;
   }
@@ -160,8 +161,8 @@ bool DecimalRounder::try_exponent(const Ball& x, long e, int& wrong) {
     return false;
   }
   if (count > digits_) {
-    const bool carried = buffer_[first] == '1' && buffer_.find_first_not_of('0', first + 1) == std::string::npos &&
-                         count == digits_ + 1;
+    const bool carried =
+        buffer_[first] == '1' && buffer_.find_first_not_of('0', first + 1) == std::string::npos && count == digits_ + 1;
     if (!carried) {
       wrong = 1;
       return false;
@@ -189,8 +190,9 @@ bool DecimalRounder::round(const Ball& x, Decimal& result) {
       const std::string plain = negative ? result.text.substr(1) : result.text;
       const auto point = plain.find('.');
       const auto first = plain.find_first_not_of("0.");
-      e = first < std::min(point, plain.size()) ? static_cast<long>(std::min(point, plain.size())) - 1 - static_cast<long>(first)
-                                                : static_cast<long>(point) - static_cast<long>(first);
+      e = first < std::min(point, plain.size())
+              ? static_cast<long>(std::min(point, plain.size())) - 1 - static_cast<long>(first)
+              : static_cast<long>(point) - static_cast<long>(first);
     }
     result.last = e - digits_ + 1;
     result.exact = false;

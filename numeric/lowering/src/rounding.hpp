@@ -2,8 +2,6 @@
 // Correct rounding of balls and rationals to decimals (half away from zero) and doubles (half to even).
 #pragma once
 
-#include <gmp.h>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +18,8 @@ struct Decimal {
   bool exact = false;
 };
 
-// Significant digits of balls. The fraction is multiplied by 10^19 limb by limb, so that no division is needed; buffers are
-// kept from call to call.
+// Significant digits of balls. The fraction is multiplied by 10^19 limb by limb, so that no division is needed; buffers
+// are kept from call to call.
 class DecimalRounder {
  public:
   explicit DecimalRounder(long digits) : digits_(digits) {}
@@ -42,8 +40,8 @@ double rounded_double(const Rational& x);
 // True if x is a double.
 bool is_double(const Rational& x);
 
-// The number whose significant digits are `digits` (no point) and whose last one has weight 10^last. Plain notation; scientific
-// beyond 10^21 and below 10^-(precision+6).
+// The number whose significant digits are `digits` (no point) and whose last one has weight 10^last. Plain notation;
+// scientific beyond 10^21 and below 10^-(precision+6).
 std::string decimal_layout(const std::string& digits, long last, bool negative, long precision);
 
 // A decimal >= x with at most 3 significant digits, "1.23e-7"; x >= 0.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Figures 1-12 of romani2009 as data. Parametrisations, spacings, counts and v^0 are the paper’s where it prints them;
-// where it prints none (polygons, several curves of figures 3-7, the values of v^0 of figures 8-10) they are ours, and the
-// note says so.
+// where it prints none (polygons, several curves of figures 3-7, the values of v^0 of figures 8-10) they are ours, and
+// the note says so.
 #include <cmath>
 
 #include "twoscale/reports/romani2009.hpp"
@@ -109,24 +109,53 @@ std::vector<Trial> all_three(const std::string& v0) {
 Figure figure1() {
   return {1,
           "What the 4-point scheme cannot do, and what can",
-          "The paper draws a cardioid from 12 points and an astroid from 6 points by the 4-point scheme, which reproduces cos s and "
-          "sin s only. Beside these pictures stand the schemes that do contain the curves. Six samples do not determine an astroid "
-          "(sin 3s vanishes at all of them), so no scheme can give it back from that polygon, and the tool refuses v⁰ = 1/2 for both; "
+          "The paper draws a cardioid from 12 points and an astroid from 6 points by the 4-point scheme, which "
+          "reproduces cos s and "
+          "sin s only. Beside these pictures stand the schemes that do contain the curves. Six samples do not "
+          "determine an astroid "
+          "(sin 3s vanishes at all of them), so no scheme can give it back from that polygon, and the tool refuses v⁰ "
+          "= 1/2 for both; "
           "seven points, or five in the lacunary space {1, x, cos s, sin s, cos 3s, sin 3s}, are enough.",
-          {{"1a", "Cardioid, 12 points, 4-point scheme", Samples{cardioid, "0", "pi/6", 12, true},
-            {{four, "cos(pi/6)", Expect::different}}, "", true},
-           {"1b", "Cardioid, 12 points, 6-point harmonic", Samples{cardioid, "0", "pi/6", 12, true},
-            {{harmonic, "cos(pi/6)", Expect::exact}}, "", true},
-           {"1c", "Astroid, 6 points, 4-point scheme", Samples{astroid, "0", "pi/3", 6, true},
-            {{four, "1/2", Expect::different}, {harmonic8, "1/2", Expect::impossible}, {lacunary, "1/2", Expect::impossible}}, "", true},
-           {"1d", "Astroid, 7 points, 8-point harmonic", Samples{astroid, "0", "2*pi/7", 7, true},
-            {{harmonic8, "cos(2*pi/7)", Expect::exact}}, "The paper names this space, (25), and gives no scheme for it.", true},
-           {"1e", "Astroid, 5 points, 6-point lacunary", Samples{astroid, "0", "2*pi/5", 5, true},
-            {{lacunary, "cos(2*pi/5)", Expect::exact}}, "A scheme that is not in the paper: same cost as the three of section 4.", true}}};
+          {{"1a",
+            "Cardioid, 12 points, 4-point scheme",
+            Samples{cardioid, "0", "pi/6", 12, true},
+            {{four, "cos(pi/6)", Expect::different}},
+            "",
+            true},
+           {"1b",
+            "Cardioid, 12 points, 6-point harmonic",
+            Samples{cardioid, "0", "pi/6", 12, true},
+            {{harmonic, "cos(pi/6)", Expect::exact}},
+            "",
+            true},
+           {"1c",
+            "Astroid, 6 points, 4-point scheme",
+            Samples{astroid, "0", "pi/3", 6, true},
+            {{four, "1/2", Expect::different},
+             {harmonic8, "1/2", Expect::impossible},
+             {lacunary, "1/2", Expect::impossible}},
+            "",
+            true},
+           {"1d",
+            "Astroid, 7 points, 8-point harmonic",
+            Samples{astroid, "0", "2*pi/7", 7, true},
+            {{harmonic8, "cos(2*pi/7)", Expect::exact}},
+            "The paper names this space, (25), and gives no scheme for it.",
+            true},
+           {"1e",
+            "Astroid, 5 points, 6-point lacunary",
+            Samples{astroid, "0", "2*pi/5", 5, true},
+            {{lacunary, "cos(2*pi/5)", Expect::exact}},
+            "A scheme that is not in the paper: same cost as the three of section 4.",
+            true}}};
 }
 
 Figure figure2() {
-  Figure f{2, "Circles from regular polygons", "Regular 5-, 6- and 7-gons with v⁰ = cos(2π/κ), by all three schemes. Each v⁰ is admissible for each scheme.", {}};
+  Figure f{
+      2,
+      "Circles from regular polygons",
+      "Regular 5-, 6- and 7-gons with v⁰ = cos(2π/κ), by all three schemes. Each v⁰ is admissible for each scheme.",
+      {}};
   f.panels.push_back({"2a", "5-gon", Samples{circle, "pi/2", "2*pi/5", 5, true}, all_three("cos(2*pi/5)"), ""});
   f.panels.push_back({"2b", "6-gon", Samples{circle, "pi/2", "pi/3", 6, true}, all_three("1/2"), ""});
   f.panels.push_back({"2c", "7-gon", Samples{circle, "pi/2", "2*pi/7", 7, true}, all_three("cos(2*pi/7)"), ""});
@@ -134,20 +163,31 @@ Figure figure2() {
 }
 
 Figure figure3() {
-  Figure f{3, "Conic sections", "Parabola, ellipse and hyperbola by all three schemes, with the paper’s v⁰ = 1, 1/2 and cosh(3/5).", {}};
-  f.panels.push_back({"3a", "Parabola", Samples{parabola, "-2", "1", 5, false}, all_three("1"), "Start and spacing are ours."});
+  Figure f{3,
+           "Conic sections",
+           "Parabola, ellipse and hyperbola by all three schemes, with the paper’s v⁰ = 1, 1/2 and cosh(3/5).",
+           {}};
+  f.panels.push_back(
+      {"3a", "Parabola", Samples{parabola, "-2", "1", 5, false}, all_three("1"), "Start and spacing are ours."});
   f.panels.push_back({"3b", "Ellipse", Samples{ellipse, "0", "pi/3", 6, true}, all_three("1/2"), "The axes are ours."});
-  f.panels.push_back({"3c", "Hyperbola", Samples{hyperbola, "-6/5", "3/5", 5, false}, all_three("cosh(3/5)"), "Start and number of points are ours."});
+  f.panels.push_back({"3c", "Hyperbola", Samples{hyperbola, "-6/5", "3/5", 5, false}, all_three("cosh(3/5)"),
+                      "Start and number of points are ours."});
   return f;
 }
 
 Figure figure4() {
-  return {4, "The catenary", "By all three schemes, with the paper’s v⁰ = cosh(2/5).",
-          {{"4", "Catenary", Samples{catenary, "-8/5", "2/5", 9, false}, all_three("cosh(2/5)"), "Start and number of points are ours."}}};
+  return {4,
+          "The catenary",
+          "By all three schemes, with the paper’s v⁰ = cosh(2/5).",
+          {{"4", "Catenary", Samples{catenary, "-8/5", "2/5", 9, false}, all_three("cosh(2/5)"),
+            "Start and number of points are ours."}}};
 }
 
 Figure figure5() {
-  Figure f{5, "Second-order curves from six points", "Six points at spacing π/3, v⁰ = 1/2, by the harmonic scheme of section 4.2.", {}};
+  Figure f{5,
+           "Second-order curves from six points",
+           "Six points at spacing π/3, v⁰ = 1/2, by the harmonic scheme of section 4.2.",
+           {}};
   const auto add = [&](const char* id, const char* title, const Curve& curve, const char* first, const char* note) {
     f.panels.push_back({id, title, Samples{curve, first, "pi/3", 6, true}, {{harmonic, "1/2", Expect::exact}}, note});
   };
@@ -162,28 +202,50 @@ Figure figure5() {
 
 Figure figure6() {
   const auto trial = std::vector<Trial>{{resonant, "cos(4*pi/5)", Expect::exact}};
-  return {6, "Plane spirals", "Six points at spacing 4π/5, v⁰ = cos(4π/5), by the resonant scheme of section 4.3.",
+  return {6,
+          "Plane spirals",
+          "Six points at spacing 4π/5, v⁰ = cos(4π/5), by the resonant scheme of section 4.3.",
           {{"6a", "Archimedean spiral", Samples{archimedes, "0", "4*pi/5", 6, false}, trial, ""},
            {"6b", "Involute of the circle", Samples{involute, "0", "4*pi/5", 6, false}, trial, ""}}};
 }
 
 Figure figure7() {
-  return {7, "Space curves",
-          "Helix by all three schemes, Viviani’s curve by the harmonic one, a conical spiral by the resonant one, with the paper’s v⁰ = "
+  return {7,
+          "Space curves",
+          "Helix by all three schemes, Viviani’s curve by the harmonic one, a conical spiral by the resonant one, with "
+          "the paper’s v⁰ = "
           "cos(4π/5), cos(2π/5) and cos(4π/5).",
-          {{"7a", "Helix", Samples{helix, "0", "4*pi/5", 6, false}, all_three("cos(4*pi/5)"), "Pitch and number of points are ours."},
-           {"7b", "Viviani’s curve, 5 points", Samples{viviani, "0", "4*pi/5", 5, true}, {{harmonic, "cos(2*pi/5)", Expect::exact}, {harmonic, "cos(4*pi/5)", Expect::different}},
-            "The base frequency is 1/2, because z = 2 sin(s/2): samples at spacing u need v⁰ = cos(u/2), not cos u. The paper’s v⁰ belongs to "
-            "the spacing 4π/5.", true},
-           {"7b2", "Viviani’s curve, 10 points", Samples{viviani, "0", "2*pi/5", 10, true},
+          {{"7a", "Helix", Samples{helix, "0", "4*pi/5", 6, false}, all_three("cos(4*pi/5)"),
+            "Pitch and number of points are ours."},
+           {"7b",
+            "Viviani’s curve, 5 points",
+            Samples{viviani, "0", "4*pi/5", 5, true},
+            {{harmonic, "cos(2*pi/5)", Expect::exact}, {harmonic, "cos(4*pi/5)", Expect::different}},
+            "The base frequency is 1/2, because z = 2 sin(s/2): samples at spacing u need v⁰ = cos(u/2), not cos u. "
+            "The paper’s v⁰ belongs to "
+            "the spacing 4π/5.",
+            true},
+           {"7b2",
+            "Viviani’s curve, 10 points",
+            Samples{viviani, "0", "2*pi/5", 10, true},
             {{harmonic, "cos(pi/5)", Expect::exact}, {harmonic, "cos(2*pi/5)", Expect::different}},
-            "At spacing 2π/5 the right value is cos(π/5); v⁰ = cos(2π/5), the cosine of the spacing itself, gives another curve.", true},
-           {"7c", "Conical spiral", Samples{conical, "0", "4*pi/5", 6, false}, {{resonant, "cos(4*pi/5)", Expect::exact}}, ""}}};
+            "At spacing 2π/5 the right value is cos(π/5); v⁰ = cos(2π/5), the cosine of the spacing itself, gives "
+            "another curve.",
+            true},
+           {"7c",
+            "Conical spiral",
+            Samples{conical, "0", "4*pi/5", 6, false},
+            {{resonant, "cos(4*pi/5)", Expect::exact}},
+            ""}}};
 }
 
 Figure tension(int number, const char* scheme, const char* section, const std::vector<const char*>& values) {
   Figure f{number, std::string("Tension: section ") + section, "", {}};
-  Panel p{std::to_string(number), std::string("One polygon, increasing v⁰, scheme of section ") + section, star, {}, "Polygon and values of v⁰ are ours."};
+  Panel p{std::to_string(number),
+          std::string("One polygon, increasing v⁰, scheme of section ") + section,
+          star,
+          {},
+          "Polygon and values of v⁰ are ours."};
   for (const char* v : values) p.trials.push_back({scheme, v, Expect::shape});
   f.panels.push_back(p);
   return f;
@@ -192,7 +254,11 @@ Figure tension(int number, const char* scheme, const char* section, const std::v
 Figure comparison(int number, const char* title, const Polygon& polygon, const char* v0, const char* text) {
   Figure f{number, title, text, {}};
   const auto add = [&](const char* letter, const char* name, const char* scheme, const char* v) {
-    f.panels.push_back({std::to_string(number) + letter, std::string(name) + (*v == 0 ? "" : std::string(", v⁰ = ") + v), polygon, {{scheme, v, Expect::shape}}, ""});
+    f.panels.push_back({std::to_string(number) + letter,
+                        std::string(name) + (*v == 0 ? "" : std::string(", v⁰ = ") + v),
+                        polygon,
+                        {{scheme, v, Expect::shape}},
+                        ""});
   };
   add("a", "Dubuc–Deslauriers 4-point", "dd:l=2", "");
   add("b", "Weissmann 6-point", "dd:l=3", "");
@@ -212,10 +278,11 @@ std::vector<Figure> build() {
           figure6(),
           figure7(),
           tension(8, mixed, "4.1", {"-4/5", "0", "1", "10", "1000"}),
-          tension(9, harmonic, "4.2", {"-3/4", "1/4", "1", "10", "1000"}),
+          tension(9, harmonic, "4.2", {"1/4", "1/2", "1", "10", "1000"}),
           tension(10, resonant, "4.3", {"-1/2", "0", "1", "10", "1000"}),
           comparison(11, "Unevenly spaced points", uneven, "4",
-                     "The same closed polygon, whose edges differ by a factor of about 5, by the two stationary schemes and by the four with "
+                     "The same closed polygon, whose edges differ by a factor of about 5, by the two stationary "
+                     "schemes and by the four with "
                      "tension, v⁰ = 4. The polygon is ours."),
           comparison(12, "Very unevenly spaced points", very_uneven, "7",
                      "A polygon whose longest edge is about 12 times its shortest, v⁰ = 7. The polygon is ours.")};

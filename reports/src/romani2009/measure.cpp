@@ -13,7 +13,9 @@ namespace twoscale::reports::romani2009 {
 namespace {
 
 // The exact expression rounded to double (20 correct digits read back).
-double number(const std::string& expression) { return std::strtod(parse_real(expression).decimal(20).c_str(), nullptr); }
+double number(const std::string& expression) {
+  return std::strtod(parse_real(expression).decimal(20).c_str(), nullptr);
+}
 
 }  // namespace
 

@@ -40,10 +40,10 @@ Part tension_part();
 
 // <img> with the picture inside, and its file in figures/.
 std::string embedded(Part& part, const std::string& name, const std::string& alternative, const Picture& picture);
-std::string command(const std::string& line);                  // a line of a <pre>, "$ " before it
-std::string shell_quoted(const std::string& word);             // only when it needs quotes
-std::string scheme_label(const std::string& scheme);           // "6-point harmonic"
-std::string v0_html(const std::string& v0);                    // inline MathML, "-" for none
-std::string number_text(double value);                         // HTML: "3.1·10<sup>−15</sup>", "0.027"
+std::string command(const std::string& line);         // a line of a <pre>, "$ " before it
+std::string shell_quoted(const std::string& word);    // only when it needs quotes
+std::string scheme_label(const std::string& scheme);  // "6-point harmonic"
+std::string v0_html(const std::string& v0);           // inline MathML, "-" for none
+std::string number_text(double value);                // HTML: "3.1·10<sup>−15</sup>", "0.027"
 
 }  // namespace twoscale::reports::romani2009

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "page.hpp"
 #include "twoscale/kernels/points_io.hpp"
@@ -56,6 +57,14 @@ Line true_curve(const Samples& s) {
   return l;
 }
 
+// "cos(4*pi/5)" as it is written by hand.
+std::string legend_text(std::string v0) {
+  for (std::size_t at = v0.find("*pi"); at != std::string::npos; at = v0.find("*pi")) v0.replace(at, 3, "π");
+  for (std::size_t at = v0.find("pi"); at != std::string::npos; at = v0.find("pi")) v0.replace(at, 2, "π");
+  if (v0.starts_with('-')) v0.replace(0, 1, "−");
+  return "v⁰ = " + v0;
+}
+
 Picture picture(const Panel& panel, const std::vector<Measured>& results) {
   const StartPoints start = start_points(panel, panel.trials[0]);
   Picture p;
@@ -75,7 +84,7 @@ Picture picture(const Panel& panel, const std::vector<Measured>& results) {
     l.values = results[i].curve;
     l.colour = colour++;
     if (sweep || (t.expect == Expect::different && panel.trials[0].expect == Expect::exact))
-      l.title = "v⁰ = " + t.v0;
+      l.title = legend_text(t.v0);
     else
       l.title = "limit curve";
     p.lines.push_back(std::move(l));
@@ -87,10 +96,13 @@ Picture picture(const Panel& panel, const std::vector<Measured>& results) {
 std::string trial_row(const Panel& panel, const Trial& t, const Measured& m) {
   const bool samples = std::holds_alternative<Samples>(panel.start);
   std::string s = fmt::format("<tr><td>{}</td><td>{}</td>", escaped(scheme_label(t.scheme)), v0_html(t.v0));
-  if (!m.ran) return s + "<td class=\"refuted\" colspan=\"2\" title=\"" + escaped(m.refusal) + "\">impossible: a step is singular</td></tr>\n";
+  if (!m.ran)
+    return s + "<td class=\"refuted\" colspan=\"2\" title=\"" + escaped(m.refusal) +
+           "\">impossible: a step is singular</td></tr>\n";
   if (!samples) return s + fmt::format("<td>{}</td><td>{:.2f}</td></tr>\n", number_text(m.polygon_distance), m.turning);
   const bool exact = m.deviation < 1e-12;
-  return s + fmt::format("<td>{}</td><td class=\"{}\">{}</td></tr>\n", m.points, exact ? "proved" : "refuted", number_text(m.deviation));
+  return s + fmt::format("<td>{}</td><td class=\"{}\">{}</td></tr>\n", m.points, exact ? "proved" : "refuted",
+                         number_text(m.deviation));
 }
 
 std::string csv(const StartPoints& start) {
@@ -106,7 +118,8 @@ std::string commands(const Panel& panel, const StartPoints& start) {
   for (const Trial& t : panel.trials) {
     const std::string v0 = t.v0.empty() ? "" : " --v0=" + shell_quoted(t.v0);
     lines += command("twoscale refine " + shell_quoted(t.scheme) + v0 + fmt::format(" --levels {}", measured_levels) +
-                     (start.closed ? " --closed" : " --open=given") + " data/" + panel.id + ".csv -o curve.csv");
+                     (start.closed ? " --closed" : " --open=given") + " data/" + panel.id + ".csv -o curve.csv" +
+                     (t.expect == Expect::impossible ? "   # refused, exit status 2" : ""));
   }
   return "<details><summary>Commands</summary><pre class=\"shell\">" + lines + "</pre></details>";
 }
@@ -139,16 +152,21 @@ std::string panel_html(const Panel& panel, Part& part, Summary& summary) {
   }
   part.files.emplace_back("data/" + panel.id + ".csv", csv(start));
   ++summary.pictures;
-  std::string s = fmt::format("<figure id=\"panel-{}\">\n{}\n<figcaption><strong>{}</strong> {}", panel.id,
-                              embedded(part, panel.id, panel.title, picture(panel, results)), panel.id, escaped(panel.title));
+  std::string s =
+      fmt::format("<figure id=\"panel-{}\">\n{}\n<figcaption><strong>{}</strong> {}", panel.id,
+                  embedded(part, panel.id, panel.title, picture(panel, results)), panel.id, escaped(panel.title));
   if (samples != nullptr)
-    s += fmt::format("<br/>{}; {} points from s = {} on, spacing {}{}", escaped(samples->curve.formula), samples->count, v0_html(samples->first),
-                     v0_html(samples->spacing), samples->closed ? ", closed" : fmt::format(", open, {} more samples beyond each end", start.beyond));
+    s += fmt::format(
+        "<br/>{}; {} points from s = {} on, spacing {}{}", escaped(samples->curve.formula), samples->count,
+        v0_html(samples->first), v0_html(samples->spacing),
+        samples->closed ? ", closed" : fmt::format(", open, {} more samples beyond each end", start.beyond));
   if (!panel.note.empty()) s += "<br/><em>" + escaped(panel.note) + "</em>";
   s += "\n<table><thead><tr><th>scheme</th><th>v⁰</th>";
-  s += samples != nullptr ? "<th>points compared</th><th>largest deviation</th>" : "<th>distance to polygon</th><th>turning</th>";
+  s += samples != nullptr ? "<th>points compared</th><th>largest deviation</th>"
+                          : "<th>distance to polygon</th><th>turning</th>";
   s += "</tr></thead><tbody>\n" + rows + "</tbody></table>\n";
-  if (samples == nullptr) s += fmt::format("<p class=\"small\">The polygon itself turns by {:.2f}.</p>\n", total_turning(start.values, true));
+  if (samples == nullptr)
+    s += fmt::format("<p class=\"small\">The polygon itself turns by {:.2f}.</p>\n", total_turning(start.values, true));
   return s + commands(panel, start) + "</figcaption>\n</figure>\n";
 }
 
@@ -163,9 +181,13 @@ std::vector<std::string> findings() {
   };
   const Panel& cardioid = panel("1a");
   const Panel& astroid = panel("1c");
-  list.push_back(fmt::format("Figure 1: the 4-point scheme misses the cardioid by {} and the astroid by {} of the curve’s size. From the paper’s 6 points "
-                             "no scheme can return the astroid, because sin 3s vanishes at all of them; 5 or 7 points suffice (<a href=\"#counts\">table</a>).",
-                             number_text(measure(cardioid, cardioid.trials[0]).deviation), number_text(measure(astroid, astroid.trials[0]).deviation)));
+  list.push_back(
+      fmt::format("Figure 1: the 4-point scheme misses the cardioid by {} and the astroid by {} of the curve’s size. "
+                  "From the paper’s 6 points "
+                  "no scheme can return the astroid, because sin 3s vanishes at all of them; 5 or 7 points suffice (<a "
+                  "href=\"#counts\">table</a>).",
+                  number_text(measure(cardioid, cardioid.trials[0]).deviation),
+                  number_text(measure(astroid, astroid.trials[0]).deviation)));
   const Panel& viviani = panel("7b2");
   const StartPoints start = start_points(viviani, viviani.trials[0]);
   kernels::PointSet samples;
@@ -173,9 +195,12 @@ std::vector<std::string> findings() {
   samples.dim = start.dim;
   samples.values = start.values;
   const lowering::Fit fit = lowering::fit(*make_scheme(viviani.trials[0].scheme).space, samples, start.closed);
-  list.push_back(fmt::format("Figure 7b: Viviani’s curve has the base frequency 1/2. The fit to 10 samples at spacing 2π/5 finds v⁰ = {}, which is cos(π/5): "
-                             "deviation {}. With v⁰ = cos(2π/5) it is {}; that value belongs to 5 samples at spacing 4π/5.",
-                             fit.v0.empty() ? "nothing" : fit.v0, number_text(measure(viviani, viviani.trials[0]).deviation), number_text(measure(viviani, viviani.trials[1]).deviation)));
+  list.push_back(
+      fmt::format("Figure 7b: Viviani’s curve has the base frequency 1/2. The fit to 10 samples at spacing 2π/5 finds "
+                  "v⁰ = {}, which is cos(π/5): "
+                  "deviation {}. With v⁰ = cos(2π/5) it is {}; that value belongs to 5 samples at spacing 4π/5.",
+                  fit.v0.empty() ? "nothing" : fit.v0, number_text(measure(viviani, viviani.trials[0]).deviation),
+                  number_text(measure(viviani, viviani.trials[1]).deviation)));
   return list;
 }
 
@@ -188,7 +213,8 @@ Part figure_part(const Options& options, Summary& summary) {
   const Part tension = tension_part();
   for (const Figure& f : figures()) {
     if (options.progress) options.progress("figure " + std::to_string(f.number));
-    part.html += fmt::format("<section class=\"figure\" id=\"figure-{0}\">\n<h3>Figure {0}: {1}</h3>\n", f.number, escaped(f.title));
+    part.html += fmt::format("<section class=\"figure\" id=\"figure-{0}\">\n<h3>Figure {0}: {1}</h3>\n", f.number,
+                             escaped(f.title));
     if (!f.text.empty()) part.html += "<p>" + escaped(f.text) + "</p>\n";
     part.html += "<div class=\"panels\">\n";
     for (const Panel& p : f.panels) part.html += panel_html(p, part, summary);

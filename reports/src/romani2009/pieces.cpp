@@ -20,13 +20,15 @@ const std::vector<SixPoint>& six_point_schemes() {
 std::string embedded(Part& part, const std::string& name, const std::string& alternative, const Picture& picture) {
   const std::string svg = render(picture, ImageFormat::svg);
   part.files.emplace_back("figures/" + name + ".svg", svg);
-  return fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>", data_uri(svg), picture.width, picture.height,
-                     escaped(alternative));
+  return fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>", data_uri(svg), picture.width,
+                     picture.height, escaped(alternative));
 }
 
 std::string shell_quoted(const std::string& word) {
   bool plain = !word.empty();
-  for (char c : word) plain = plain && (std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-_./:=,+").find(c) != std::string_view::npos);
+  for (char c : word)
+    plain = plain && (std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                      std::string_view("-_./:=,+").find(c) != std::string_view::npos);
   return plain ? word : "'" + word + "'";
 }
 

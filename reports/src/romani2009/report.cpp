@@ -48,7 +48,8 @@ figure img { display: block; max-width: 100%; height: auto; margin: 0 auto; }
 figcaption { font-size: .9rem; margin-top: .3rem; }
 .panels { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1.75rem 1.5rem; }
 .panels > figure { max-width: 36rem; width: 100%; }
-.panels > figure:only-child { max-width: none; display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1.2fr); gap: 1.5rem; align-items: center; }
+.panels > figure:only-child { max-width: none; display: grid; gap: 1.5rem;
+  grid-template-columns: minmax(0, 1fr) minmax(0, 1.2fr); align-items: center; }
 details { font-size: .9rem; margin: .4rem 0; }
 summary { cursor: pointer; color: #0b5394; }
 footer { margin-top: 3rem; border-top: 1px solid #e5e7eb; padding-top: .75rem; color: #6b7280; font-size: .85rem; }
@@ -64,17 +65,26 @@ footer { margin-top: 3rem; border-top: 1px solid #e5e7eb; padding-top: .75rem; c
 )";
 
 std::string head(const Summary& s, const std::vector<std::string>& findings) {
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-                     "<title>romani2009, computed again</title>\n<style>" + std::string(style) + "</style>\n</head>\n<body>\n<header>\n<h1>romani2009, computed again</h1>\n"
-                     "<p>L. Romani, <cite>From approximating subdivision schemes for exponential splines to high-performance interpolating algorithms</cite>: the three "
-                     "6-point schemes derived from their spaces, proved, and run on the paper’s twelve figures. Each picture comes with what was measured on it.</p>\n</header>\n";
-  html += fmt::format("<div class=\"findings\"><ul>\n<li><strong>{} runs that should return a known curve do</strong>: after {} levels no point is farther from it than {} of the "
-                      "curve’s size (double precision).</li>\n",
-                      s.exact_runs, measured_levels, number_text(s.largest_exact_deviation));
-  if (s.largest_exact_deviation >= 1e-12)
-    html = html.replace(html.find("do</strong>"), 11, "do not all</strong>");
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\"/>\n"
+      "<title>romani2009, computed again</title>\n<style>" +
+      std::string(style) +
+      "</style>\n</head>\n<body>\n<header>\n<h1>romani2009, computed again</h1>\n"
+      "<p>L. Romani, <cite>From approximating subdivision schemes for exponential splines to high-performance "
+      "interpolating algorithms</cite>: the three "
+      "6-point schemes derived from their spaces, proved, and run on the paper’s twelve figures. Each picture comes "
+      "with what was measured on it.</p>\n</header>\n";
+  html += fmt::format(
+      "<div class=\"findings\"><ul>\n<li><strong>{} runs that should return a known curve do</strong>: after {} levels "
+      "no point is farther from it than {} of the "
+      "curve’s size (double precision).</li>\n",
+      s.exact_runs, measured_levels, number_text(s.largest_exact_deviation));
+  if (s.largest_exact_deviation >= 1e-12) html = html.replace(html.find("do</strong>"), 11, "do not all</strong>");
   for (const auto& f : findings) html += "<li>" + f + "</li>\n";
-  html += "</ul></div>\n<nav><ul>\n<li><a href=\"#schemes\">Schemes</a></li><li><a href=\"#counts\">Numbers of points</a></li>";
+  html +=
+      "</ul></div>\n<nav><ul>\n<li><a href=\"#schemes\">Schemes</a></li><li><a href=\"#counts\">Numbers of "
+      "points</a></li>";
   for (const Figure& f : figures()) html += fmt::format("<li><a href=\"#figure-{0}\">Figure {0}</a></li>", f.number);
   return html + "<li><a href=\"#method\">How it was measured</a></li>\n</ul></nav>\n";
 }
@@ -82,24 +92,32 @@ std::string head(const Summary& s, const std::vector<std::string>& findings) {
 std::string method() {
   return fmt::format(
       "<section id=\"method\">\n<h2>How it was measured</h2>\n<ul>\n"
-      "<li>Formulas and verdicts are exact, for all levels at once. A verdict comes with a certificate; the checker that re-verifies it shares no code and no "
+      "<li>Formulas and verdicts are exact, for all levels at once. A verdict comes with a certificate; the checker "
+      "that re-verifies it shares no code and no "
       "computer algebra with the prover.</li>\n"
-      "<li>Masks are lowered to correctly rounded doubles; curves are refined in double precision: {} levels for the numbers, {} for the pictures.</li>\n"
-      "<li><em>Largest deviation</em>: every refined point is compared with the true curve at the same parameter (not with its nearest point); the largest distance, over the "
+      "<li>Masks are lowered to correctly rounded doubles; curves are refined in double precision: {} levels for the "
+      "numbers, {} for the pictures.</li>\n"
+      "<li><em>Largest deviation</em>: every refined point is compared with the true curve at the same parameter (not "
+      "with its nearest point); the largest distance, over the "
       "diagonal of the curve’s bounding box.</li>\n"
-      "<li><em>Distance to polygon</em>: the largest distance of a refined point to the nearest edge, over the diagonal of the polygon’s bounding box. "
-      "<em>Turning</em>: the sum of the absolute turning angles in full turns; what a curve turns more than its polygon is oscillation.</li>\n"
+      "<li><em>Distance to polygon</em>: the largest distance of a refined point to the nearest edge, over the "
+      "diagonal of the polygon’s bounding box. "
+      "<em>Turning</em>: the sum of the absolute turning angles in full turns; what a curve turns more than its "
+      "polygon is oscillation.</li>\n"
       "<li>Open curves: 2l − 2 = 4 samples of the same formula beyond each end, so that no end rule is involved.</li>\n"
-      "<li>Numbers as data: <a href=\"measurements.json\">measurements.json</a>; starting points in data/, pictures in figures/, certificates in certificates/. "
+      "<li>Numbers as data: <a href=\"measurements.json\">measurements.json</a>; starting points in data/, pictures in "
+      "figures/, certificates in certificates/. "
       "The commands on this page are meant to be run in the directory of this page.</li>\n</ul>\n</section>\n"
-      "<footer>twoscale {}. The page is self-contained; the same version writes the same bytes.</footer>\n</body>\n</html>\n",
+      "<footer>twoscale {}. The page is self-contained; the same version writes the same "
+      "bytes.</footer>\n</body>\n</html>\n",
       measured_levels, drawn_levels, TWOSCALE_VERSION);
 }
 
 void make_directory(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path)) throw Error(Error::Kind::io, "directory cannot be made", path.string());
+  if (error || !std::filesystem::is_directory(path))
+    throw Error(Error::Kind::io, "directory cannot be made", path.string());
 }
 
 }  // namespace
@@ -125,7 +143,8 @@ Summary write_report(const std::string& directory, const Options& options) {
   kernels::write_file((root / "measurements.json").string(), j.dump(1) + "\n");
   // The page last: when it is there, everything it refers to is there too.
   summary.index = (root / "index.html").string();
-  kernels::write_file(summary.index, head(summary, pictures.findings) + "<main>\n" + schemes.html + counts.html + pictures.html + "</main>\n" + method());
+  kernels::write_file(summary.index, head(summary, pictures.findings) + "<main>\n" + schemes.html + counts.html +
+                                         pictures.html + "</main>\n" + method());
   return summary;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Canonical writer of certificates (format: docs/certificates.md). The checker in analysis/check shares no code with it.
+// Canonical writer of certificates (format: docs/certificates.md). The checker in analysis/check shares no code with
+// it.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +13,7 @@
 namespace twoscale::analysis {
 
 struct MaskData {
-  std::vector<LevelVariable> levels;   // sorted by name
+  std::vector<LevelVariable> levels;  // sorted by name
   std::vector<std::string> constants;
   long lowest = 0;
   std::vector<Polynomial> numerators;  // a_{lowest+i} = numerators[i] / denominator
@@ -20,6 +21,7 @@ struct MaskData {
 };
 
 // The certificate's text, sealed with its digest.
-std::string certificate_text(const Scheme& scheme, const MaskData& mask, const std::vector<nlohmann::ordered_json>& claims);
+std::string certificate_text(const Scheme& scheme, const MaskData& mask,
+                             const std::vector<nlohmann::ordered_json>& claims);
 
 }  // namespace twoscale::analysis

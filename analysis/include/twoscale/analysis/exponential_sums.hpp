@@ -2,7 +2,8 @@
 // Values of symbols at exponentials, exactly: sum_i c_i E^{k_i} with c_i in Z[v, ...] and E + 1/E = 2v.
 //
 // E is quadratic over Q(v): every such sum is A + B E with polynomials A, B (E^k = U_{k-1}(v) E - U_{k-2}(v), Chebyshev
-// polynomials of the second kind), and it vanishes identically iff A = B = 0. No power series, no rational functions of E.
+// polynomials of the second kind), and it vanishes identically iff A = B = 0. No power series, no rational functions of
+// E.
 #pragma once
 
 #include <map>

@@ -9,8 +9,8 @@
 //   reproduces      space                         further a(z) - m z^{(m-1)p} vanishes at z_n with multiplicity
 //   maximal         space (its own if empty)      nothing outside the space is generated
 //   well-defined    -                             the exact set of v^0 for which some step has a pole
-// z_n = exp(-theta_n/m^{k+1}). Conditions: Dyn, Levin and Luzzatto 2003; Conti and Romani 2011; the stepwise conditions at
-// every level are what is decided. See docs/certificates.md for the exact statements.
+// z_n = exp(-theta_n/m^{k+1}). Conditions: Dyn, Levin and Luzzatto 2003; Conti and Romani 2011; the stepwise conditions
+// at every level are what is decided. See docs/certificates.md for the exact statements.
 #pragma once
 
 #include <optional>
@@ -37,8 +37,8 @@ std::vector<Claim> default_claims(const Scheme& scheme);
 // Throws Error(bad_input) for an unknown claim or a subject that cannot be read.
 Proof prove(const Scheme& scheme, const std::vector<Claim>& claims);
 
-// The largest spaces of exponential polynomials found generated and reproduced (stepwise, identically in the parameters)
-// among the functions of `within`.
+// The largest spaces of exponential polynomials found generated and reproduced (stepwise, identically in the
+// parameters) among the functions of `within`.
 Space reproduced_part(const Scheme& scheme, const Space& within);
 
 }  // namespace twoscale::analysis

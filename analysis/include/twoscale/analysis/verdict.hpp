@@ -15,8 +15,8 @@ std::string to_string(Verdict v);
 
 // The decision on one claim about a scheme.
 struct Decision {
-  std::string claim;                    // its name
-  std::string subject;                  // what it is about: a space, an order, ...; may be empty
+  std::string claim;    // its name
+  std::string subject;  // what it is about: a space, an order, ...; may be empty
   Verdict verdict = Verdict::undecided;
   std::string domain;                   // for which levels and parameter values
   std::vector<std::string> exceptions;  // values at which nothing is claimed, or the scheme does not exist

@@ -27,8 +27,8 @@ struct Refined {
 
 // `levels` steps from `points`. Masks are correctly rounded doubles. Throws Error(bad_input) for a singular value of a
 // parameter (naming it and the level) and for points that do not suffice.
-Refined refine_points(const Scheme& scheme, const lowering::Binding& binding, std::span<const double> points, std::size_t dim,
-                      int levels, kernels::Boundary boundary);
+Refined refine_points(const Scheme& scheme, const lowering::Binding& binding, std::span<const double> points,
+                      std::size_t dim, int levels, kernels::Boundary boundary);
 
 // The basic limit function: data 1 at index 0, 0 elsewhere; dim = 2, (parameter, value), over its support.
 Refined basic_limit_function(const Scheme& scheme, const lowering::Binding& binding, int levels);

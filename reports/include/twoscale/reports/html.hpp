@@ -10,8 +10,9 @@ namespace twoscale::reports {
 // & < > " replaced by entities; control characters by blanks.
 std::string escaped(std::string_view text);
 
-// A MathML element for an expression of the contract (§2): sums, products, quotients, powers, names, integers, calls such as
-// cos(2*pi/5). Names v_s get a subscript, pi and theta their letters. Throws Error(bad_input) naming what cannot be read.
+// A MathML element for an expression of the contract (§2): sums, products, quotients, powers, names, integers, calls
+// such as cos(2*pi/5). Names v_s get a subscript, pi and theta their letters. Throws Error(bad_input) naming what
+// cannot be read.
 std::string mathml(std::string_view expression);
 
 // The same inside <math>...</math>, after a left side that is MathML already (may be empty).

@@ -32,10 +32,10 @@ struct Picture {
   std::string title;
   std::string x_label;
   std::string y_label;
-  bool equal_axes = true;       // one unit of x is as long as one of y; in space always (a parallel projection)
-  bool logarithmic_x = false;   // in the plane only, not with equal_axes
+  bool equal_axes = true;      // one unit of x is as long as one of y; in space always (a parallel projection)
+  bool logarithmic_x = false;  // in the plane only, not with equal_axes
   bool logarithmic_y = false;
-  int width = 460;   // pixels (SVG, PNG at twice that), 1/72 inch (PDF)
+  int width = 460;  // pixels (SVG, PNG at twice that), 1/72 inch (PDF)
   int height = 380;
 };
 

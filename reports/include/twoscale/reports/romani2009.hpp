@@ -28,8 +28,8 @@ struct Curve {
   void (*at)(double s, double* point);
 };
 
-// The samples s = first + j*spacing, j = 0..count-1, of a curve; both numbers are exact expressions. Open: samples beyond
-// both ends are taken from the same formula, as many as the scheme needs.
+// The samples s = first + j*spacing, j = 0..count-1, of a curve; both numbers are exact expressions. Open: samples
+// beyond both ends are taken from the same formula, as many as the scheme needs.
 struct Samples {
   Curve curve;
   std::string first;
@@ -55,7 +55,7 @@ struct Panel {
   std::string title;
   std::variant<Samples, Polygon> start;
   std::vector<Trial> trials;
-  std::string note;  // what the paper leaves open, or has otherwise
+  std::string note;         // what the paper leaves open, or has otherwise
   bool show_curve = false;  // draw the true curve too
 };
 
@@ -71,12 +71,12 @@ const std::vector<Figure>& figures();
 // What came out of one run.
 struct Measured {
   bool ran = false;
-  std::string refusal;           // the reason when it did not run
-  std::size_t points = 0;        // refined points compared
-  double deviation = 0;          // samples: from the true curve, over the diagonal of its box
-  double polygon_distance = 0;   // over the diagonal of the polygon's box
-  double turning = 0;            // plane polygons: total turning of the curve in full turns
-  std::vector<double> curve;     // points for drawing
+  std::string refusal;          // the reason when it did not run
+  std::size_t points = 0;       // refined points compared
+  double deviation = 0;         // samples: from the true curve, over the diagonal of its box
+  double polygon_distance = 0;  // over the diagonal of the polygon's box
+  double turning = 0;           // plane polygons: total turning of the curve in full turns
+  std::vector<double> curve;    // points for drawing
 };
 
 // Starting points of a panel for a trial: `given` points beyond the ends included when open. Row-major.
@@ -111,8 +111,8 @@ struct Summary {
   std::string index;  // path of the page
 };
 
-// Writes directory/index.html (self-contained: pictures are embedded), and beside it certificates/, figures/ (SVG), data/
-// (starting points as CSV) and measurements.json. Makes the directory. Throws Error(io).
+// Writes directory/index.html (self-contained: pictures are embedded), and beside it certificates/, figures/ (SVG),
+// data/ (starting points as CSV) and measurements.json. Makes the directory. Throws Error(io).
 Summary write_report(const std::string& directory, const Options& options);
 
 }  // namespace twoscale::reports::romani2009

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real balls (midpoint +- radius) with rigorous arithmetic: a value type over Arb. A ball always contains the exact value.
+// Real balls (midpoint +- radius) with rigorous arithmetic: a value type over Arb. A ball always contains the exact
+// value.
 #pragma once
 
 #include <arb.h>
@@ -35,8 +36,9 @@ class Ball {
   arb_t value_;
 };
 
-// The decimal with `digits` significant digits, correctly rounded (half away from zero), or "" if the ball is too wide to
-// decide every digit. Plain notation, "0" for an exact zero; scientific notation beyond 10^21 and below 10^-(digits+6).
+// The decimal with `digits` significant digits, correctly rounded (half away from zero), or "" if the ball is too wide
+// to decide every digit. Plain notation, "0" for an exact zero; scientific notation beyond 10^21 and below
+// 10^-(digits+6).
 std::string rounded_decimal(const Ball& x, long digits);
 // The same for a rational: a ball around 3/20 never decides its first digit.
 std::string rounded_decimal(const Rational& x, long digits);

@@ -19,8 +19,8 @@ struct SchemeName {
   // Canonical spelling: keys in alphabetical order, values that contain commas quoted.
   std::string to_string() const;
 };
-// A piece between commas that does not begin with name= belongs to the value before it; commas inside ( ), [ ] or quotes
-// never split. Throws Error(bad_input) naming a piece that cannot be read or a key given twice.
+// A piece between commas that does not begin with name= belongs to the value before it; commas inside ( ), [ ] or
+// quotes never split. Throws Error(bad_input) naming a piece that cannot be read or a key given twice.
 SchemeName parse_scheme_name(std::string_view text);
 
 struct CatalogEntry {

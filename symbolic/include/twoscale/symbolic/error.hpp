@@ -9,9 +9,9 @@ namespace twoscale {
 
 struct Error : std::runtime_error {
   enum class Kind {
-    bad_input,   // the request cannot be understood or has no meaning (exit status 2)
-    undecided,   // a limit was reached before the answer (exit status 3)
-    io,          // a file could not be read or written (exit status 4)
+    bad_input,  // the request cannot be understood or has no meaning (exit status 2)
+    undecided,  // a limit was reached before the answer (exit status 3)
+    io,         // a file could not be read or written (exit status 4)
   };
 
   Error(Kind k, const std::string& message, std::string piece = {})

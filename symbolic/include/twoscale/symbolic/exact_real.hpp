@@ -3,8 +3,8 @@
 //
 // A constant can be enclosed to any precision, and its sign is decided: by balls when it is not zero; when it is built
 // from rationals, roots and cosines of rational multiples of pi, a zero is *proved* by a separation bound (Burnikel,
-// Funke, Mehlhorn, Schirra and Schmitt 2001: a non-zero value U/L with U, L algebraic integers of degree at most D whose
-// conjugates are bounded by u and l is at least 1/(l u^{D-1}) in size).
+// Funke, Mehlhorn, Schirra and Schmitt 2001: a non-zero value U/L with U, L algebraic integers of degree at most D
+// whose conjugates are bounded by u and l is at least 1/(l u^{D-1}) in size).
 #pragma once
 
 #include <memory>
@@ -24,9 +24,9 @@ class ExactReal {
   enum class Function { exp, log, cos, sin, tan, cosh, sinh, tanh, acos, asin, atan, acosh };
 
   ExactReal() : ExactReal(Rational(0)) {}
-  ExactReal(const Rational& q);                            // NOLINT: numbers convert
-  ExactReal(long n) : ExactReal(Rational(n)) {}            // NOLINT
-  ExactReal(int n) : ExactReal(Rational(n)) {}             // NOLINT
+  ExactReal(const Rational& q);                  // NOLINT: numbers convert
+  ExactReal(long n) : ExactReal(Rational(n)) {}  // NOLINT
+  ExactReal(int n) : ExactReal(Rational(n)) {}   // NOLINT
   static ExactReal pi();
   // f(x). cos and sin of a rational multiple of pi stay algebraic.
   static ExactReal apply(Function f, const ExactReal& x);

@@ -34,9 +34,9 @@ GiNaC::ex parse_expression(std::string_view text, Symbols& symbols);
 std::vector<std::string> names_in(const GiNaC::ex& e);
 
 // Exact conversions; each throws Error(bad_input) naming a sub-expression of another kind.
-Rational to_rational(const GiNaC::numeric& n);                // a real rational number
-RationalFunction to_rational_function(const GiNaC::ex& e);    // + - * / and integer powers of names and rationals
-ExactReal to_exact_real(const GiNaC::ex& e);                  // no names, no I
+Rational to_rational(const GiNaC::numeric& n);              // a real rational number
+RationalFunction to_rational_function(const GiNaC::ex& e);  // + - * / and integer powers of names and rationals
+ExactReal to_exact_real(const GiNaC::ex& e);                // no names, no I
 GiNaC::ex to_ginac(const RationalFunction& f, Symbols& symbols);
 
 RationalFunction parse_rational_function(std::string_view text);

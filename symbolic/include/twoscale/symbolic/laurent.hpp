@@ -32,10 +32,10 @@ class Laurent {
   friend Laurent operator*(const RationalFunction& c, const Laurent& a);
   friend bool operator==(const Laurent& a, const Laurent& b);
 
-  Laurent shifted(long by) const;                    // z^by a(z)
-  Laurent dilated(long m) const;                     // a(z^m), m >= 1
-  Laurent subsymbol(long m, long residue) const;     // sum_j a_{mj+residue} z^j
-  RationalFunction at_one() const;                   // a(1)
+  Laurent shifted(long by) const;                 // z^by a(z)
+  Laurent dilated(long m) const;                  // a(z^m), m >= 1
+  Laurent subsymbol(long m, long residue) const;  // sum_j a_{mj+residue} z^j
+  RationalFunction at_one() const;                // a(1)
   RationalFunction evaluate(const RationalFunction& z) const;
   // a / b if b divides a in Q(parameters)[z, 1/z]; required: b != 0.
   static std::optional<Laurent> quotient(const Laurent& a, const Laurent& b);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polynomials with integer coefficients in named variables: immutable, canonical, cheap to copy.
 //
-// The door behind which FLINT works. Storage: fmpz_poly for at most one variable, fmpz_mpoly (lexicographic) for several.
-// Canonical form: the variables are exactly those that occur, sorted by name; so two polynomials are equal iff their
-// representations are, and no simplification step exists that a caller could forget.
+// The door behind which FLINT works. Storage: fmpz_poly for at most one variable, fmpz_mpoly (lexicographic) for
+// several. Canonical form: the variables are exactly those that occur, sorted by name; so two polynomials are equal iff
+// their representations are, and no simplification step exists that a caller could forget.
 #pragma once
 
 #include <flint/fmpz_mpoly.h>
@@ -24,7 +24,7 @@ namespace twoscale {
 class Polynomial {
  public:
   Polynomial() : Polynomial(0L) {}
-  Polynomial(long constant);                                          // NOLINT: numbers convert
+  Polynomial(long constant);                                             // NOLINT: numbers convert
   Polynomial(int constant) : Polynomial(static_cast<long>(constant)) {}  // NOLINT
   static Polynomial constant(const fmpz_t value);
   static Polynomial variable(const std::string& name);
@@ -85,7 +85,8 @@ class Polynomial {
   };
   Factorization factor() const;
 
-  // Number of distinct real zeros > 0. Required: not 0, at most one variable. Exact (Sturm, on p(x^2) without its zero at 0).
+  // Number of distinct real zeros > 0. Required: not 0, at most one variable. Exact (Sturm, on p(x^2) without its zero
+  // at 0).
   long positive_zeros() const;
 
   // Terms in canonical order (exponents compared lexicographically, descending), exponents in the order of variables().

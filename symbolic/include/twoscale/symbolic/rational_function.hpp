@@ -19,11 +19,11 @@ class RationalFunction {
  public:
   using Factors = std::vector<std::pair<Polynomial, unsigned>>;
 
-  RationalFunction() = default;                                        // 0
-  RationalFunction(long n) : numerator_(n) {}                          // NOLINT: numbers convert
-  RationalFunction(int n) : numerator_(n) {}                           // NOLINT
-  RationalFunction(const Rational& r);                                 // NOLINT
-  RationalFunction(Polynomial p) : numerator_(std::move(p)) {}         // NOLINT
+  RationalFunction() = default;                                 // 0
+  RationalFunction(long n) : numerator_(n) {}                   // NOLINT: numbers convert
+  RationalFunction(int n) : numerator_(n) {}                    // NOLINT
+  RationalFunction(const Rational& r);                          // NOLINT
+  RationalFunction(Polynomial p) : numerator_(std::move(p)) {}  // NOLINT
   static RationalFunction variable(const std::string& name) { return Polynomial::variable(name); }
   // numerator / denominator; factors the denominator. Throws Error(bad_input) if it is 0.
   static RationalFunction fraction(const Polynomial& numerator, const Polynomial& denominator);

@@ -2,8 +2,8 @@
 // Scheme: the one value that every recipe fills and every analysis, table, kernel and report reads.
 //
 // f^{k+1}_{m j + s} = sum_h phases[s](h) f^k_{j+h}, s = 0..m-1; in symbol form a_{s - m h} = phases[s](h), so that
-// f^{k+1}_i = sum_j a_{i-mj} f^k_j. Stationary, level-dependent and (later) non-uniform or Hermite are derived properties:
-// they differ in the scope of the parameters and in the block size only.
+// f^{k+1}_i = sum_j a_{i-mj} f^k_j. Stationary, level-dependent and (later) non-uniform or Hermite are derived
+// properties: they differ in the scope of the parameters and in the block size only.
 #pragma once
 
 #include <optional>
@@ -41,9 +41,9 @@ struct Claim {
 };
 
 struct Scheme {
-  std::string id;       // as the catalog spells it, e.g. "interpolating:family=mixed,l=3"
+  std::string id;  // as the catalog spells it, e.g. "interpolating:family=mixed,l=3"
   std::string title;
-  std::string source;   // paper and place
+  std::string source;  // paper and place
   int arity = 2;
   int block = 1;
   std::vector<Parameter> parameters;
@@ -60,8 +60,8 @@ struct Scheme {
 // The symbol a(z) of a scalar scheme without local parameters.
 Laurent symbol(const Scheme& scheme);
 
-bool is_stationary(const Scheme& scheme);  // no level and no local parameter
-bool is_uniform(const Scheme& scheme);     // no local parameter
+bool is_stationary(const Scheme& scheme);     // no level and no local parameter
+bool is_uniform(const Scheme& scheme);        // no local parameter
 bool is_interpolatory(const Scheme& scheme);  // a_{m j} = delta_{j0}
 std::vector<LevelVariable> level_variables(const Scheme& scheme);
 // The symbol at level variables 1: what the masks tend to. nullopt if there is a pole.

@@ -19,14 +19,14 @@ namespace twoscale {
 
 // The greatest common frequency of a group: factor * symbol (symbol empty: the number itself).
 struct LevelVariable {
-  std::string name;                // "v", or "v_s", "v_t", ... when there are several
-  std::string symbol;              // "t"; empty for a numeric frequency
-  Rational factor = 1;             // the frequency is factor * symbol, or factor * unit for a numeric one
-  std::string unit;                // numeric: "1", "pi", "sqrt(2)", ...; empty otherwise
-  bool trigonometric = false;      // the frequency multiplies I: v = cos(...)
+  std::string name;            // "v", or "v_s", "v_t", ... when there are several
+  std::string symbol;          // "t"; empty for a numeric frequency
+  Rational factor = 1;         // the frequency is factor * symbol, or factor * unit for a numeric one
+  std::string unit;            // numeric: "1", "pi", "sqrt(2)", ...; empty otherwise
+  bool trigonometric = false;  // the frequency multiplies I: v = cos(...)
 
-  std::string frequency() const;   // "t", "2*t", "t/6", "pi/3"
-  std::string meaning(int arity) const;  // "cosh(t/2^(k+1))"
+  std::string frequency() const;           // "t", "2*t", "t/6", "pi/3"
+  std::string meaning(int arity) const;    // "cosh(t/2^(k+1))"
   std::optional<ExactReal> value() const;  // of the frequency, if numeric
   bool same_group(const LevelVariable& o) const {
     return symbol == o.symbol && unit == o.unit && trigonometric == o.trigonometric;
@@ -60,7 +60,8 @@ class Space {
   std::string to_latex() const;
 
   // The same space with its groups expressed in the level variables of `reference` (plus what it has of its own): both
-  // then share names and base frequencies. `scale[i]`: variable i of `reference` is cosh of scale[i] times the new base.
+  // then share names and base frequencies. `scale[i]`: variable i of `reference` is cosh of scale[i] times the new
+  // base.
   struct Rebased;
   static Rebased rebase(const Space& space, const std::vector<LevelVariable>& reference);
 

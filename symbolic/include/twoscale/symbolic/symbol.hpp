@@ -26,8 +26,8 @@ struct FactoredPolynomial {
   Polynomial expanded() const;
   void multiply(const FactoredPolynomial& o);
 };
-// T_a(x) + T_b(y) for the variables of the two nodes. Same variable: products of minimal polynomials of cosines, read off
-// from (E^{a+b} + 1)(E^{a-b} + 1)/(2 E^a) without any factoring algorithm.
+// T_a(x) + T_b(y) for the variables of the two nodes. Same variable: products of minimal polynomials of cosines, read
+// off from (E^{a+b} + 1)(E^{a-b} + 1)/(2 E^a) without any factoring algorithm.
 FactoredPolynomial sum_of_nodes(const Space& space, const Node& a, const Node& b);
 
 }  // namespace twoscale

@@ -16,6 +16,7 @@ struct Mask {
   long lowest = 0;
   std::vector<Polynomial> numerators;
   Polynomial denominator;
+  Monomial top{};  ///< largest exponent of each variable in numerators and denominator
 
   long highest() const { return lowest + static_cast<long>(numerators.size()) - 1; }
 };

@@ -22,4 +22,7 @@ Dense cosine_polynomial(std::uint64_t n, Meter& meter);
 /// Divides P by cosine_polynomial(n) as often as possible and says how often. P not zero.
 int divide_out_cosine(Dense& p, std::uint64_t n, Meter& meter);
 
+/// Does cosine_polynomial(n) divide p?
+bool cosine_divides(const Dense& p, std::uint64_t n, Meter& meter);
+
 }  // namespace twoscale::check

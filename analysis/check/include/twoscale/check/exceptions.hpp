@@ -8,6 +8,8 @@
 
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace twoscale::check {
 
@@ -17,8 +19,8 @@ struct Angle {
   SmallFraction angle;
 };
 
-/// Order n of the root of unity exp(i*angle*pi/m^{level+1}); nothing if n > 10^9 (no zero of a polynomial of our
-/// degrees).
+/// Order n of the root of unity exp(i*angle*pi/m^{level+1}); nothing if n > 10^6 (then phi(n)/2 exceeds every degree
+/// that can occur within the limits).
 std::optional<std::uint64_t> root_order(const Angle& angle, int arity);
 
 Angle read_angle(Fields& fields, Meter& meter);
@@ -42,6 +44,12 @@ class Exceptions {
   std::string text() const;
 
  private:
+  struct Condition {
+    std::string text;
+    Polynomial polynomial;
+    bool used = false;  // has been a divisor
+  };
+
   void single(Dense p, const std::string& what);
   void several(Polynomial p, const std::string& what);
 
@@ -49,8 +57,7 @@ class Exceptions {
   Meter& meter_;
   std::vector<Angle> angles_;
   std::map<std::uint64_t, bool> orders_;  // order of the root of unity -> has been a zero
-  std::vector<Polynomial> conditions_;
-  std::vector<bool> condition_used_;
+  std::vector<Condition> conditions_;
 };
 
 }  // namespace twoscale::check

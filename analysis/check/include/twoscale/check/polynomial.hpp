@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,19 +25,14 @@ using Polynomial = std::map<Monomial, Integer, std::greater<>>;
 Polynomial parse_polynomial(std::string_view text, std::span<const std::string> names, const std::string& where,
                             Meter& meter);
 
-/// The canonical spelling.
-std::string text_of(const Polynomial& p, std::span<const std::string> names);
-
 /// target += amount * x^monomial.
 void add_term(Polynomial& target, const Monomial& monomial, const Integer& amount, Meter& meter);
 
 /// target += factor * x^shift * p.
 void add_scaled(Polynomial& target, const Polynomial& p, const Integer& factor, const Monomial& shift, Meter& meter);
 
-Polynomial multiply(const Polynomial& p, const Polynomial& q, Meter& meter);
-
-/// Replaces p by p/g and returns true if the polynomial g (not zero, exponents >= 0) divides p over Z; else leaves p.
-bool divide_out(Polynomial& p, const Polynomial& g, Meter& meter);
+/// p/g over Z if the polynomial g (not zero, exponents >= 0) divides p.
+std::optional<Polynomial> quotient(const Polynomial& p, const Polynomial& g, Meter& meter);
 
 /// Largest exponent of each variable (0 for the zero polynomial).
 Monomial degrees(const Polynomial& p);

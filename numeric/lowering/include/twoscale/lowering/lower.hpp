@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lowering: a scheme and exact values of its parameters become mask tables in which every printed digit is proved.
 //
-// Step k -> k+1 uses the level variables of level k+1, v = v^{[k+1]}. With u = v - 1 the recurrence v^k = T_m(v^{k+1}) loses
-// no relative accuracy (m = 2: u^k = 2 u^{k+1} (2 + u^{k+1})), so the last level is enclosed from the angle,
+// Step k -> k+1 uses the level variables of level k+1, v = v^{[k+1]}. With u = v - 1 the recurrence v^k = T_m(v^{k+1})
+// loses no relative accuracy (m = 2: u^k = 2 u^{k+1} (2 + u^{k+1})), so the last level is enclosed from the angle,
 //   u^{[k]} = 2 sinh^2(t/(2 m^k)) or -2 sin^2(s/(2 m^k)),
 // and the coarser ones follow by multiplications. Masks are evaluated as polynomials in u over one common denominator.
 #pragma once
@@ -38,8 +38,8 @@ class LevelValue {
   // The same for the fine levels of the steps 0..count-1: element k encloses v^{[k+1]} - 1. One multiplication a level.
   std::vector<Ball> offsets(unsigned count, long bits) const;
 
-  // The minimal polynomial of v^{[0]} in "x", where it is known: v^0 rational, the cosine of a rational multiple of pi, or
-  // of small degree. `transcendental`: v^{[k]} is known to be a zero of no polynomial.
+  // The minimal polynomial of v^{[0]} in "x", where it is known: v^0 rational, the cosine of a rational multiple of pi,
+  // or of small degree. `transcendental`: v^{[k]} is known to be a zero of no polynomial.
   std::optional<Polynomial> minimal_polynomial() const;
   bool transcendental() const;
 
@@ -49,22 +49,22 @@ class LevelValue {
   ExactReal v0_;
   std::optional<ExactReal> angle_;  // t or s
   bool circular_ = false;
-  int side_ = 0;                    // sign of v0 - 1
+  int side_ = 0;  // sign of v0 - 1
   int arity_ = 2;
   std::string text_;
 };
 
 // Values for all parameters of a scheme.
 struct Binding {
-  std::map<std::string, LevelValue> levels;                         // by variable name: "v", "v_s"
-  std::map<std::string, ExactReal> constants;                       // by parameter name
-  std::vector<std::pair<std::string, std::string>> description;     // as given: {"v0", "-2/5"}
+  std::map<std::string, LevelValue> levels;                      // by variable name: "v", "v_s"
+  std::map<std::string, ExactReal> constants;                    // by parameter name
+  std::vector<std::pair<std::string, std::string>> description;  // as given: {"v0", "-2/5"}
 };
 
 // What --v0, --t and --at say (contract §3): v0 and t belong to the single frequency (t: v0 = cosh t, cos t for a
-// frequency given by cosines; an imaginary t = I*s is trigonometric). `at`: NAME=VALUE with NAME a frequency symbol (s, t),
-// v0_s, v0, or a constant parameter. Numeric frequencies bind themselves. Throws Error(bad_input) naming an unknown name, a
-// value that cannot be used, a parameter that is bound twice or not at all.
+// frequency given by cosines; an imaginary t = I*s is trigonometric). `at`: NAME=VALUE with NAME a frequency symbol (s,
+// t), v0_s, v0, or a constant parameter. Numeric frequencies bind themselves. Throws Error(bad_input) naming an unknown
+// name, a value that cannot be used, a parameter that is bound twice or not at all.
 Binding bind(const Scheme& scheme, const std::optional<std::string>& v0, const std::optional<std::string>& t,
              const std::vector<std::pair<std::string, std::string>>& at);
 

@@ -11,10 +11,10 @@ namespace twoscale::lowering {
 struct RefineOptions {
   unsigned levels = 1;
   kernels::Boundary boundary = kernels::Boundary::closed;
-  // 0: double arithmetic with correctly rounded masks. Else 17..10000: the numbers of `points` are read exactly from their
-  // texts, everything is enclosed in balls, and every number of the output has that many correct significant digits
-  // (tokens). A number that cannot be told from 0 with twice the digits (smaller than 10^(-2 digits) times the largest of
-  // the output) is printed as 0.
+  // 0: double arithmetic with correctly rounded masks. Else 17..10000: the numbers of `points` are read exactly from
+  // their texts, everything is enclosed in balls, and every number of the output has that many correct significant
+  // digits (tokens). A number that cannot be told from 0 with twice the digits (smaller than 10^(-2 digits) times the
+  // largest of the output) is printed as 0.
   long digits = 0;
 };
 

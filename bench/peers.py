@@ -1,0 +1,308 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a user would run instead, timed beside our own benchmarks: SymPy, PARI/GP, mpmath, SciPy, NumPy.
+
+    peers.py TWOSCALE RESULTS OUT [--full]
+
+RESULTS holds the JSON files of the C++ benchmarks (scripts/bench writes them); the peers get the same spaces, the folded system
+that `twoscale derive --format json` prints, and the masks of `twoscale table`. Prints one table and writes OUT (JSON). All times
+are CPU seconds of one thread, medians, unless they say "wall clock".
+Reading the input, building matrices and importing modules are not counted.
+"""
+
+import argparse
+import json
+import math
+import multiprocessing
+import os
+import platform
+import re
+import resource
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import mpmath
+import numpy
+import scipy.signal
+import sympy
+
+FAMILIES = ("mixed", "harmonic", "resonant")
+OTHERS = ("lacunary", "multiplicities", "two-frequencies")
+
+
+# Measuring.
+
+def measure(job, at_least=0.2, most=9):
+    """Median CPU seconds of job(); slow jobs run once."""
+    times = []
+    while not times or (sum(times) < at_least and len(times) < most):
+        start = time.process_time()
+        job()
+        times.append(time.process_time() - start)
+    return statistics.median(times)
+
+
+def within(seconds, function, *arguments):
+    """function(*arguments) in a process of its own; None after so many seconds."""
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        try:
+            return pool.apply_async(function, arguments).get(seconds)
+        except multiprocessing.TimeoutError:
+            return None
+
+
+# Linear algebra: the folded system for omega.
+
+def sympy_expression(text):
+    return sympy.sympify(text.replace("^", "**"), rational=True)
+
+
+def sympy_linsolve(system):
+    """CPU seconds of the first call: SymPy remembers what it has simplified, and nobody solves the same system twice."""
+    matrix = sympy.Matrix([[sympy_expression(x) for x in row] for row in system["matrix"]])
+    rhs = sympy.Matrix([sympy_expression(x) for x in system["rhs"]])
+    unknowns = sympy.symbols(f"w:{len(system['rhs'])}")
+    start = time.process_time()
+    sympy.linsolve((matrix, rhs), *unknowns)
+    return time.process_time() - start
+
+
+def cold(limit, function, *arguments):
+    """Median of three calls (one if it takes more than 2 s), each in a process of its own."""
+    first = within(limit, function, *arguments)
+    if first is None or first > 2:
+        return first
+    return statistics.median([first] + [within(limit, function, *arguments) for _ in range(2)])
+
+
+def pari_matsolve(system, limit):
+    """CPU seconds, measured inside gp over as many repetitions as make 0.2 s."""
+    matrix = "[" + "; ".join(", ".join(row) for row in system["matrix"]) + "]"
+    code = (f"A={matrix}; b=[{', '.join(system['rhs'])}]~;\n"
+            "n=1; while(1, gettime(); for(i=1,n,matsolve(A,b)); t=gettime(); if(t>=200,break); n*=4); print(1.*t/n)\n")
+    try:
+        done = subprocess.run(["gp", "-q", "-f", "--default", "parisizemax=2000000000"], input=code, text=True,
+                              capture_output=True, timeout=limit, check=True)
+    except subprocess.TimeoutExpired:
+        return None
+    return float(done.stdout) / 1000
+
+
+# Tables: zeta as fractions of integer polynomials in v, evaluated by Horner.
+
+def integer_fractions(coefficients):
+    """The different coefficients of a symmetric mask as (numerator, denominator), highest power first."""
+    v = sympy.Symbol("v")
+    half = coefficients[len(coefficients) // 2:]
+    fractions = [sympy.fraction(sympy.together(sympy_expression(c))) for c in half]
+    return [tuple([int(a) for a in sympy.Poly(part, v).all_coeffs()] for part in f) for f in fractions]
+
+
+def mpmath_table(fractions, v0, digits, levels, printing):
+    """Masks of levels 0..levels-1; with `printing` as decimals."""
+    with mpmath.workdps(digits + 10):
+        fractions = [tuple([mpmath.mpf(a) for a in part] for part in f) for f in fractions]
+
+        def table():
+            v = mpmath.mpf(v0[0]) / v0[1] if isinstance(v0, tuple) else mpmath.cos(2 * mpmath.pi / 7)
+            rows = []
+            for _ in range(levels):
+                v = mpmath.sqrt((1 + v) / 2)
+                row = [mpmath.polyval(p, v) / mpmath.polyval(q, v) for p, q in fractions]
+                rows.append([mpmath.nstr(a, digits, strip_zeros=False) for a in row] if printing else row)
+            return rows
+
+        return measure(table)
+
+
+# Refinement of a closed polygon.
+
+def scipy_refine(points, masks):
+    for mask in masks:
+        reach = len(mask) // 2
+        pad = (reach + 1) // 2
+        wrapped = numpy.concatenate([points[-pad:], points, points[:pad]])
+        fine = scipy.signal.upfirdn(mask, wrapped, up=2, axis=0)
+        first = reach + 2 * pad
+        points = fine[first:first + 2 * len(points)]
+    return points
+
+
+def numpy_refine(points, masks):
+    for mask in masks:
+        odd = mask[::2]  # an interpolating mask has one even coefficient, 1
+        pad = len(odd) // 2
+        wrapped = numpy.concatenate([points[-pad:], points, points[:pad]])
+        fine = numpy.empty((2 * len(points),) + points.shape[1:])
+        fine[0::2] = points
+        new = fine[1::2]
+        new[:] = 0
+        for i, a in enumerate(odd):
+            new += a * wrapped[1 + i:1 + i + len(points)]
+        points = fine
+    return points
+
+
+# One run.
+
+class Run:
+    def __init__(self, arguments):
+        self.twoscale = arguments.twoscale
+        self.limit = 600 if arguments.full else 60
+        self.ours = {}
+        for path in sorted(Path(arguments.results).glob("*.json")):
+            for b in json.loads(path.read_text())["benchmarks"]:
+                if b.get("aggregate_name", "median") == "median":
+                    scale = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[b["time_unit"]]
+                    self.ours[b["run_name"]] = {"seconds": b["cpu_time"] * scale, "label": b.get("label", "")}
+        self.rows = []
+
+    def json(self, *arguments):
+        done = subprocess.run([self.twoscale, *arguments, "--format", "json"], text=True, capture_output=True, check=True)
+        return json.loads(done.stdout)
+
+    def compare(self, job, at, ours, peer, theirs):
+        if ours not in self.ours:
+            return
+        mine = self.ours[ours]["seconds"]
+        self.row(job, at, mine, peer, theirs)
+
+    def row(self, job, at, mine, peer, theirs):
+        ratio = theirs / mine if theirs is not None else None
+        self.rows.append({"job": job, "at": at, "ours": mine, "peer": peer, "theirs": theirs, "ratio": ratio})
+        shown = seconds(theirs) if theirs is not None else f"> {self.limit} s" if peer else ""
+        factor = f"{ratio:,.0f}" if ratio is not None and ratio >= 10 else f"{ratio:.1f}" if ratio is not None else ""
+        if ratio is None and peer:
+            factor = f"> {self.limit / mine:,.0f}"
+        print(f"{job:<32} {at:>16} {seconds(mine):>9}  {peer:<22} {shown:>9} {factor:>10}", flush=True)
+
+    def derive(self):
+        for name in FAMILIES + OTHERS:
+            alive = {"sympy": True, "pari": True}
+            for l in range(2, 9):
+                ours = f"derive/{name}/l:{l}"
+                if ours not in self.ours:
+                    continue
+                folded = self.json("derive", "--space", self.ours[ours]["label"])["folded"]
+                for peer, title, job in (("sympy", "SymPy linsolve", lambda: cold(self.limit, sympy_linsolve, folded)),
+                                         ("pari", "PARI matsolve", lambda: pari_matsolve(folded, self.limit))):
+                    if alive[peer]:
+                        theirs = job()
+                        alive[peer] = theirs is not None
+                        self.compare(f"derive {name}", f"l={l}", ours, title, theirs)
+                other = self.ours.get(f"ginac/{name}/l:{l}")
+                if other:
+                    self.compare(f"derive {name}", f"l={l}", ours, "GiNaC lsolve+normal", other["seconds"])
+                for route in ("generic", "hessenberg", "folded"):
+                    own = self.ours.get(f"{route}/{name}/l:{l}")
+                    if own and l == 8:
+                        self.compare(f"derive {name}", f"l={l}", ours, f"own route: {route}", own["seconds"])
+
+    def process(self):
+        """The whole program at l = 8, medians of 15: CPU seconds, and wall-clock seconds, which other work on the machine disturbs."""
+        for name in FAMILIES + OTHERS[:2]:
+            command = [self.twoscale, "derive", "--space", self.ours[f"derive/{name}/l:8"]["label"], "--format", "json"]
+            wall, cpu = [], []
+            for _ in range(15):
+                begin, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+                subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
+                wall.append(time.perf_counter() - start)
+                end = resource.getrusage(resource.RUSAGE_CHILDREN)
+                cpu.append(end.ru_utime - begin.ru_utime + end.ru_stime - begin.ru_stime)
+            self.row(f"process: derive {name}", "l=8, json", statistics.median(cpu), "", None)
+            self.row(f"process: derive {name}", "l=8, wall clock", statistics.median(wall), "", None)
+
+    def prove(self):
+        for name in FAMILIES:
+            for l in range(2, 9):
+                if f"prove/{name}/l:{l}" in self.ours:
+                    self.row(f"prove {name}", f"l={l}", self.ours[f"prove/{name}/l:{l}"]["seconds"], "", None)
+
+    def table(self):
+        for name in FAMILIES:
+            zeta = self.json("derive", f"interpolating:family={name},l=3")["zeta"]
+            fractions = integer_fractions(zeta["coefficients"])
+            for text, v0 in (("-2/5", (-2, 5)), ("cos(2*pi/7)", None)):
+                for digits in (50, 200, 1000):
+                    ours = f"table/{name}/{text}/digits:{digits}"
+                    for printing in (True, False):
+                        theirs = mpmath_table(fractions, v0, digits, 60, printing)
+                        peer = "mpmath" if printing else "mpmath, not printed"
+                        self.compare(f"table {name} {text}", f"{digits} digits", ours, peer, theirs)
+
+    def refine(self):
+        levels = 8
+        document = self.json("table", "interpolating:family=harmonic,l=3", "--v0", "1/2", "--levels", str(levels), "--double")
+        masks = [numpy.array([float(a) for a in row["coefficients"]]) for row in document["levels"]]
+        for dim in (1, 2, 3):
+            points = numpy.sin(numpy.arange(10000 * dim, dtype=float)).reshape(10000, dim)
+            assert numpy.allclose(scipy_refine(points, masks), numpy_refine(points, masks), atol=1e-12)
+            for peer, job in (("scipy upfirdn", scipy_refine), ("numpy slices", numpy_refine)):
+                theirs = measure(lambda: job(points, masks), at_least=1, most=5)
+                self.compare("refine 10^4 points, 8 levels", f"D={dim}", f"refine/harmonic/D:{dim}", peer, theirs)
+            bound = self.ours.get(f"write/D:{dim}")
+            if bound:
+                self.compare("refine 10^4 points, 8 levels", f"D={dim}", f"refine/harmonic/D:{dim}", "writing the output only",
+                             bound["seconds"])
+
+    def growth(self):
+        """Exponents of growth in l: least squares through (log l, log seconds), l = 4.. and l = 8.. ."""
+        series = {}
+        for name, value in self.ours.items():
+            found = re.fullmatch(r"(.*)/l:(\d+)", name)
+            if found:
+                series.setdefault(found[1], []).append((int(found[2]), value["seconds"]))
+        for row in self.rows:
+            if row["peer"] in ("SymPy linsolve", "PARI matsolve") and row["theirs"]:
+                series.setdefault(f"{row['peer']} {row['job'][7:]}", []).append((int(row["at"][2:]), row["theirs"]))
+        result = {}
+        print(f"\n{'growth like l^e':<36} {'l':>8} {'e':>6}")
+        for name, points in series.items():
+            for first in (4, 8):
+                tail = [(math.log(l), math.log(s)) for l, s in sorted(points) if l >= first]
+                if len(tail) >= 3:
+                    slope = numpy.polyfit(*zip(*tail), 1)[0]
+                    span = f"{first}..{max(l for l, _ in points)}"
+                    result[f"{name} {span}"] = slope
+                    print(f"{name:<36} {span:>8} {slope:6.1f}")
+        return result
+
+
+def seconds(value):
+    for unit, scale in (("s", 1), ("ms", 1e-3), ("us", 1e-6)):
+        if value >= scale:
+            return f"{value / scale:.3g} {unit}"
+    return f"{value * 1e9:.3g} ns"
+
+
+def machine():
+    cores = os.cpu_count()
+    compiler = subprocess.run(["c++", "-dumpfullversion"], text=True, capture_output=True, check=False).stdout.strip()
+    packages = subprocess.run(["dpkg-query", "-W", "-f", "${Package} ${Version}, ", "libflint-dev", "libflint-arb-dev",
+                               "libginac-dev", "pari-gp"], text=True, capture_output=True, check=False).stdout
+    return (f"{cores} cores {platform.machine()}, g++ {compiler}, {packages}SymPy {sympy.__version__} "
+            f"({sympy.external.gmpy.GROUND_TYPES}), mpmath {mpmath.__version__} ({mpmath.libmp.BACKEND}), "
+            f"SciPy {scipy.__version__}, NumPy {numpy.__version__}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("twoscale")
+    parser.add_argument("results")
+    parser.add_argument("out")
+    parser.add_argument("--full", action="store_true", help="600 instead of 60 seconds for a case")
+    run = Run(parser.parse_args())
+    print(machine() + "\n")
+    print(f"{'job':<32} {'':>16} {'ours':>9}  {'peer':<22} {'theirs':>9} {'ratio':>10}")
+    for part in (run.derive, run.process, run.prove, run.table, run.refine):
+        part()
+    document = {"format": "twoscale/bench", "machine": machine(), "rows": run.rows, "growth": run.growth(),
+                "benchmarks": run.ours}
+    Path(sys.argv[3]).write_text(json.dumps(document, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

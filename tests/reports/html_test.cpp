@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "twoscale/reports/html.hpp"
+
+#include <gtest/gtest.h>
+
+#include "twoscale/symbolic/catalog.hpp"
+#include "twoscale/symbolic/error.hpp"
+
+namespace {
+
+using namespace twoscale;
+using namespace twoscale::reports;
+
+TEST(Html, Escapes) { EXPECT_EQ(escaped("a<b>&\"c\x01"), "a&lt;b&gt;&amp;&quot;c "); }
+
+TEST(Html, Base64) {
+  const std::string head = "data:image/svg+xml;base64,";
+  EXPECT_EQ(data_uri(""), head);
+  EXPECT_EQ(data_uri("f"), head + "Zg==");
+  EXPECT_EQ(data_uri("fo"), head + "Zm8=");
+  EXPECT_EQ(data_uri("foo"), head + "Zm9v");
+  EXPECT_EQ(data_uri("foob\xff\xfe"), head + "Zm9vYv/+");
+}
+
+TEST(Mathml, Typesets) {
+  EXPECT_EQ(mathml("-1/2"), "<mrow><mo>−</mo><mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>");
+  EXPECT_EQ(mathml("v_s^2"),
+            "<mrow><msup><mrow><msub><mi>v</mi><mi>s</mi></msub></mrow><mrow><mn>2</mn></mrow></msup></mrow>");
+  EXPECT_EQ(mathml("exp(-t*x)"),
+            "<mrow><msup><mi>e</mi><mrow><mo>−</mo><mi>t</mi><mo>&#x2062;</mo><mi>x</mi></mrow></msup></mrow>");
+  EXPECT_NE(mathml("(a + b)*c").find("<mo stretchy=\"false\">(</mo>"), std::string::npos);
+  EXPECT_EQ(mathml("(a + b)/c").find("<mo stretchy=\"false\">(</mo>"), std::string::npos);
+  EXPECT_NE(mathml("cos(4*pi/5)").find("π"), std::string::npos);
+}
+
+TEST(Mathml, RefusesWhatItCannotRead) {
+  for (const char* text : {"", "1+", "(", "f(", "a b", "1)", "*", "a^", "\xff", "<script>"})
+    EXPECT_THROW(mathml(text), Error) << text;
+  EXPECT_THROW(mathml(std::string(100000, '(')), Error);
+}
+
+// Whatever the library prints can be typeset.
+TEST(Mathml, ReadsEveryMaskOfTheCatalogue) {
+  for (const CatalogEntry& entry : catalog())
+    for (const std::string& name : entry.examples) {
+      const Scheme s = make_scheme(name);
+      if (s.block != 1) continue;
+      const Laurent a = symbol(s);
+      for (long i = a.lowest(); i <= a.highest(); ++i)
+        EXPECT_NO_THROW(mathml(a.coefficient(i).to_string())) << name << " " << i;
+      if (!s.space) continue;
+      for (const auto& item : s.space->items()) EXPECT_NO_THROW(mathml(item)) << item;
+    }
+}
+
+}  // namespace
