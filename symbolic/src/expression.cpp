@@ -56,7 +56,7 @@ class Reader {
   Reader(std::string_view text, Symbols& symbols) : text_(text), symbols_(symbols) {}
 
   ex whole() {
-    if (text_.size() > longest_text) bad_input("expression is too long", std::string(text_.substr(0, 40)) + "...");
+    if (text_.size() > longest_text) bad_input("expression is too long", std::string(text_.substr(0, 40)));
     skip();
     if (at_ == text_.size()) bad_input("empty expression");
     ex e = sum();

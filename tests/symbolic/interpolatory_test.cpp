@@ -22,6 +22,7 @@ std::string fault(const Space& space, bool folded = true) {
   if (!(interpolating_symbol_by_divided_differences(space) == zeta)) return "route 3 differs";
   if (const auto harmonic = interpolating_symbol_harmonic(space); harmonic && !(*harmonic == zeta))
     return "harmonic route differs";
+  if (const auto two = interpolating_symbol_two_nodes(space); two && !(*two == zeta)) return "closed form for two nodes differs";
   if (!(sigma * h.omega == zeta)) return "zeta is not sigma omega";
   if (!(zeta.subsymbol(2, 0) == Laurent::monomial(0))) return "zeta is not interpolatory";
   if (zeta.lowest() != 1 - 2 * l || zeta.highest() != 2 * l - 1) return "support";
@@ -168,6 +169,22 @@ TEST(InterpolatingSymbol, OddDimensionsAreRefused) {
     EXPECT_THROW(hessenberg_system(Space::parse(text)), Error) << text;
     EXPECT_THROW(folded_system(Space::parse(text)), Error) << text;
   }
+}
+
+TEST(InterpolatingSymbol, ClosedFormForTwoNodesKnowsItsSpaces) {
+  for (unsigned l = 2; l <= 8; ++l)
+    for (const char* family : {"mixed", "resonant"})
+      EXPECT_TRUE(interpolating_symbol_two_nodes(family_space(family, family_member(family, l))).has_value()) << family << l;
+  for (const char* text : {"exp(s*x),exp(-s*x),exp(t*x),exp(-t*x),x*exp(s*x),x*exp(-s*x)", "1,x,cos(t*x),sin(t*x)",
+                           "exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x),x*exp(2*t*x),x*exp(-2*t*x)",
+                           "exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x),exp(3*t*x),exp(-3*t*x)"}) {
+    const Space space = Space::parse(text);
+    EXPECT_TRUE(interpolating_symbol_two_nodes(space).has_value()) << text;
+    EXPECT_EQ(fault(space), "") << text;
+  }
+  for (const char* text : {"1,x", "1,x,x^2,x^3", "1,x,exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)",
+                           "1,x,x^2,x^3,exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x)"})
+    EXPECT_FALSE(interpolating_symbol_two_nodes(Space::parse(text)).has_value()) << text;
 }
 
 TEST(InterpolatingSymbol, HarmonicEngineKnowsItsSpaces) {
