@@ -46,6 +46,9 @@ Factors merge(const Factors& a, const Factors& b, Combine combine) {
   return r;
 }
 
+// An integer at which no factor of a subdivision symbol is small or zero (their zeros are cosines).
+constexpr long probe_point = 1009;
+
 unsigned larger(unsigned a, unsigned b) { return std::max(a, b); }
 unsigned missing(unsigned a, unsigned b) { return a > b ? a - b : 0; }
 
@@ -58,13 +61,24 @@ RationalFunction RationalFunction::over_factors(Polynomial numerator, const Rati
   RationalFunction r;
   if (content.is_zero()) bad_input("division by zero");
   if (numerator.is_zero()) return r;
-  for (auto& [f, e] : factors)
+  // f | numerator in Z[v] implies f(x) | numerator(x) at an integer x: one evaluation spares nearly all trial divisions
+  // that would fail. For one variable only, where it is cheap.
+  const bool univariate = numerator.variables().size() == 1;
+  const std::string name = univariate ? numerator.variables()[0] : "";
+  const auto probe = [&](const Polynomial& p) { return p.evaluate({{name, Rational(probe_point)}}); };
+  Rational value = univariate ? probe(numerator) : Rational(0);
+  for (auto& [f, e] : factors) {
+    const bool probed = univariate && f.variables().size() == 1 && f.variables()[0] == name;
+    const Rational divisor = probed ? probe(f) : Rational(0);
     while (e > 0) {
+      if (!divisor.is_zero() && !(value / divisor).is_integer()) break;
       auto q = Polynomial::quotient(numerator, f);
       if (!q) break;
       numerator = *std::move(q);
+      if (univariate) value = divisor.is_zero() ? probe(numerator) : value / divisor;
       --e;
     }
+  }
   std::erase_if(factors, [](const auto& fe) { return fe.second == 0; });
   std::sort(factors.begin(), factors.end(),
             [](const auto& a, const auto& b) { return Polynomial::compare(a.first, b.first) < 0; });
@@ -224,7 +238,7 @@ Product product(const Rational& content, const Factors& factors, Polynomial::Sty
   return r;
 }
 
-constexpr long factor_numerator_up_to = 24;  // total degree; beyond it factoring costs more than reading gains
+constexpr long factor_numerator_up_to = 16;  // total degree; beyond it factoring costs more than reading gains
 
 }  // namespace
 
