@@ -4,9 +4,9 @@
 
     peers.py TWOSCALE RESULTS OUT [--full]
 
-RESULTS holds the JSON files of the C++ benchmarks (scripts/bench writes them); the peers get the same spaces, the folded system
-that `twoscale derive --format json` prints, and the masks of `twoscale table`. Prints one table and writes OUT (JSON). All times
-are CPU seconds of one thread, medians, unless they say "wall clock".
+RESULTS holds the JSON files of the C++ benchmarks (from scripts/bench); the peers get the same spaces, the folded
+system that `twoscale derive --format json` prints, and the masks of `twoscale table`. Prints one table and writes OUT.
+All times are CPU seconds of one thread, medians, unless they say "wall clock"; "SymPy linsolve" is a first call.
 Reading the input, building matrices and importing modules are not counted.
 """
 
@@ -61,21 +61,18 @@ def sympy_expression(text):
 
 
 def sympy_linsolve(system):
-    """CPU seconds of the first call: SymPy remembers what it has simplified, and nobody solves the same system twice."""
+    """CPU seconds of the first call, and the median of further ones, which find SymPy's caches filled."""
     matrix = sympy.Matrix([[sympy_expression(x) for x in row] for row in system["matrix"]])
     rhs = sympy.Matrix([sympy_expression(x) for x in system["rhs"]])
     unknowns = sympy.symbols(f"w:{len(system['rhs'])}")
+
+    def solve():
+        return sympy.linsolve((matrix, rhs), *unknowns)
+
     start = time.process_time()
-    sympy.linsolve((matrix, rhs), *unknowns)
-    return time.process_time() - start
-
-
-def cold(limit, function, *arguments):
-    """Median of three calls (one if it takes more than 2 s), each in a process of its own."""
-    first = within(limit, function, *arguments)
-    if first is None or first > 2:
-        return first
-    return statistics.median([first] + [within(limit, function, *arguments) for _ in range(2)])
+    solve()
+    first = time.process_time() - start
+    return first, measure(solve, most=5)
 
 
 def pari_matsolve(system, limit):
@@ -161,7 +158,8 @@ class Run:
         self.rows = []
 
     def json(self, *arguments):
-        done = subprocess.run([self.twoscale, *arguments, "--format", "json"], text=True, capture_output=True, check=True)
+        command = [self.twoscale, *arguments, "--format", "json"]
+        done = subprocess.run(command, text=True, capture_output=True, check=True)
         return json.loads(done.stdout)
 
     def compare(self, job, at, ours, peer, theirs):
@@ -187,12 +185,16 @@ class Run:
                 if ours not in self.ours:
                     continue
                 folded = self.json("derive", "--space", self.ours[ours]["label"])["folded"]
-                for peer, title, job in (("sympy", "SymPy linsolve", lambda: cold(self.limit, sympy_linsolve, folded)),
-                                         ("pari", "PARI matsolve", lambda: pari_matsolve(folded, self.limit))):
-                    if alive[peer]:
-                        theirs = job()
-                        alive[peer] = theirs is not None
-                        self.compare(f"derive {name}", f"l={l}", ours, title, theirs)
+                if alive["sympy"]:
+                    first, again = within(self.limit, sympy_linsolve, folded) or (None, None)
+                    alive["sympy"] = first is not None
+                    self.compare(f"derive {name}", f"l={l}", ours, "SymPy linsolve", first)
+                    if again is not None:
+                        self.compare(f"derive {name}", f"l={l}", ours, "SymPy, same call again", again)
+                if alive["pari"]:
+                    theirs = pari_matsolve(folded, self.limit)
+                    alive["pari"] = theirs is not None
+                    self.compare(f"derive {name}", f"l={l}", ours, "PARI matsolve", theirs)
                 other = self.ours.get(f"ginac/{name}/l:{l}")
                 if other:
                     self.compare(f"derive {name}", f"l={l}", ours, "GiNaC lsolve+normal", other["seconds"])
@@ -202,7 +204,7 @@ class Run:
                         self.compare(f"derive {name}", f"l={l}", ours, f"own route: {route}", own["seconds"])
 
     def process(self):
-        """The whole program at l = 8, medians of 15: CPU seconds, and wall-clock seconds, which other work on the machine disturbs."""
+        """The whole program at l = 8, medians of 15: CPU seconds, and wall-clock seconds."""
         for name in FAMILIES + OTHERS[:2]:
             command = [self.twoscale, "derive", "--space", self.ours[f"derive/{name}/l:8"]["label"], "--format", "json"]
             wall, cpu = [], []
@@ -235,7 +237,8 @@ class Run:
 
     def refine(self):
         levels = 8
-        document = self.json("table", "interpolating:family=harmonic,l=3", "--v0", "1/2", "--levels", str(levels), "--double")
+        document = self.json("table", "interpolating:family=harmonic,l=3", "--v0", "1/2", "--levels", str(levels),
+                             "--double")
         masks = [numpy.array([float(a) for a in row["coefficients"]]) for row in document["levels"]]
         for dim in (1, 2, 3):
             points = numpy.sin(numpy.arange(10000 * dim, dtype=float)).reshape(10000, dim)
@@ -245,8 +248,8 @@ class Run:
                 self.compare("refine 10^4 points, 8 levels", f"D={dim}", f"refine/harmonic/D:{dim}", peer, theirs)
             bound = self.ours.get(f"write/D:{dim}")
             if bound:
-                self.compare("refine 10^4 points, 8 levels", f"D={dim}", f"refine/harmonic/D:{dim}", "writing the output only",
-                             bound["seconds"])
+                self.compare("refine 10^4 points, 8 levels", f"D={dim}", f"refine/harmonic/D:{dim}",
+                             "writing the output only", bound["seconds"])
 
     def growth(self):
         """Exponents of growth in l: least squares through (log l, log seconds), l = 4.. and l = 8.. ."""

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A closed polygon of 10^4 points, 8 levels of a 6-point scheme, D = 1..3 components, into a buffer that is kept; and how
-// fast this machine writes that much memory, the bound of any program that stores its result.
+// A closed polygon of 10^4 points, 8 levels of a 6-point scheme, D = 1..3 components, into a buffer that is kept;
+// and how fast this machine writes that much memory, the bound of any program that stores its result.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -4,23 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "twoscale/symbolic/integer.hpp"
+
 namespace twoscale {
 
 namespace {
-
-struct Integer {
-  fmpz_t v;
-  Integer() { fmpz_init(v); }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  ~Integer() { fmpz_clear(v); }
-  std::string text() const {
-    char* s = fmpz_get_str(nullptr, 10, v);
-    std::string r(s);
-    flint_free(s);
-    return r;
-  }
-};
 
 // round(x 10^shift), half away from zero, if the whole ball rounds to the same integer.
 bool scaled_integer(fmpz_t result, const arb_t x, long shift) {
@@ -44,10 +32,6 @@ bool scaled_integer(fmpz_t result, const arb_t x, long shift) {
   return true;
 }
 
-}  // namespace
-
-namespace {
-
 // Writes x from `scaled`, which gives round(x 10^shift), half away from zero, or says that it cannot;
 // 2^{log2_size-1} <= |x| < 2^{log2_size+1}. `exact` says for the final shift whether x 10^shift is an integer.
 template <class Scaled, class Exact>
@@ -58,7 +42,7 @@ std::string written(double log2_size, long digits, Scaled scaled, Exact exact) {
   std::string s;
   for (int attempt = 0; attempt < 4; ++attempt) {
     if (!scaled(n.v, digits - 1 - e)) return "";
-    s = n.text();
+    s = n.to_string();
     const bool negative = s[0] == '-';
     const long length = static_cast<long>(s.size()) - (negative ? 1 : 0);
     if (length == digits) break;
@@ -66,29 +50,33 @@ std::string written(double log2_size, long digits, Scaled scaled, Exact exact) {
     s.clear();
   }
   if (s.empty()) return "";
-  std::string sign;
-  if (s[0] == '-') {
-    sign = "-";
-    s.erase(0, 1);
-  }
+  const bool negative = s[0] == '-';
+  if (negative) s.erase(0, 1);
+  long last = e - digits + 1;
   // An exact short decimal (1, 0.5) is printed without trailing zeros; anything else keeps all its digits.
-  const auto trim = [&](std::string t) {
-    if (exact(digits - 1 - e) && t.find('.') != std::string::npos) {
-      t.erase(t.find_last_not_of('0') + 1);
-      if (t.back() == '.') t.pop_back();
-    }
-    return t;
-  };
-  if (e > 20 || e < -(digits + 6)) {
-    std::string t = s.substr(0, 1) + (digits > 1 ? "." + s.substr(1) : "");
-    return sign + trim(t) + "e" + std::to_string(e);
+  if (exact(-last)) {
+    const size_t kept = s.find_last_not_of('0') + 1;
+    last += static_cast<long>(s.size() - kept);
+    s.resize(kept);
   }
-  if (e < 0) return sign + trim("0." + std::string(static_cast<size_t>(-e - 1), '0') + s);
-  if (e + 1 >= digits) return sign + s + std::string(static_cast<size_t>(e + 1 - digits), '0');
-  return sign + trim(s.substr(0, static_cast<size_t>(e) + 1) + "." + s.substr(static_cast<size_t>(e) + 1));
+  return decimal_layout(s, last, negative, digits);
 }
 
 }  // namespace
+
+std::string decimal_layout(const std::string& digits, long last, bool negative, long precision) {
+  const long count = static_cast<long>(digits.size());
+  const long e = last + count - 1;  // of the first digit
+  std::string text = negative ? "-" : "";
+  if (e > 20 || e < -(precision + 6)) {
+    text += digits[0];
+    if (count > 1) text.append(1, '.').append(digits, 1);
+    return text + "e" + std::to_string(e);
+  }
+  if (last >= 0) return text.append(digits).append(static_cast<size_t>(last), '0');
+  if (e < 0) return text.append("0.").append(static_cast<size_t>(-e - 1), '0').append(digits);
+  return text.append(digits, 0, static_cast<size_t>(e) + 1).append(1, '.').append(digits, static_cast<size_t>(e) + 1);
+}
 
 std::string rounded_decimal(const Ball& x, long digits) {
   if (!x.is_finite()) return "";

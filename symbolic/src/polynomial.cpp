@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/integer.hpp"
 
 namespace twoscale {
 
@@ -46,14 +47,6 @@ namespace {
 
 using Rep = Polynomial::Rep;
 using RepPtr = std::shared_ptr<Rep>;
-
-struct Integer {
-  fmpz_t v;
-  Integer() { fmpz_init(v); }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  ~Integer() { fmpz_clear(v); }
-};
 
 const std::vector<std::string> no_names;
 

@@ -82,7 +82,7 @@ RationalFunction RationalFunction::over_factors(Polynomial numerator, const Rati
   std::erase_if(factors, [](const auto& fe) { return fe.second == 0; });
   std::sort(factors.begin(), factors.end(),
             [](const auto& a, const auto& b) { return Polynomial::compare(a.first, b.first) < 0; });
-  // Both integers are divided by their greatest common divisor, which also carries the denominator of a fractional content.
+  // Both contents are divided by their greatest common divisor, which carries the denominator of a fractional one.
   Rational common = gcd(numerator.content(), content);
   if (content.sign() < 0) common = -common;
   const Rational times = common.inverse();

@@ -59,7 +59,7 @@ TEST_P(Contract, OneStencilAPhase) {
 }
 
 TEST_P(Contract, PhasesAndSymbolAgree) {
-  if (!scalar()) GTEST_SKIP();
+  if (!scalar()) return;  // a statement about scalar symbols
   const Laurent a = symbol(scheme_);
   EXPECT_TRUE(a.is_canonical());
   const long m = scheme_.arity;
@@ -81,14 +81,14 @@ TEST_P(Contract, ParametersAreTheVariablesOfTheMask) {
     EXPECT_TRUE(declared.insert(p.name).second) << p.name << " twice";
     EXPECT_EQ(p.frequency.has_value(), p.scope == Parameter::Scope::level) << p.name;
   }
-  if (!scalar()) GTEST_SKIP();
+  if (!scalar()) return;  // a statement about scalar symbols
   for (const auto& v : symbol(scheme_).variables()) EXPECT_TRUE(declared.contains(v)) << v;
 }
 
 TEST_P(Contract, ShiftIsTheCentre) {
-  if (!scalar()) GTEST_SKIP();
+  if (!scalar()) return;  // a statement about scalar symbols
   const auto centre = symbol(scheme_).centre_of_symmetry();
-  if (!centre) GTEST_SKIP();
+  if (!centre) return;
   EXPECT_EQ(scheme_.shift, *centre / Rational(scheme_.arity - 1));
   if (scheme_.space) {
     const bool odd_length = symbol(scheme_).coefficients().size() % 2 == 1;
@@ -97,13 +97,13 @@ TEST_P(Contract, ShiftIsTheCentre) {
 }
 
 TEST_P(Contract, LimitIsTheStationarySchemeOfTheSameDimension) {
-  if (!scalar()) GTEST_SKIP();
+  if (!scalar()) return;  // a statement about scalar symbols
   const auto limit = limit_symbol(scheme_);
   ASSERT_TRUE(limit.has_value());
   for (const auto& c : limit->coefficients())
     for (const auto& v : c.variables())
       for (const auto& level : level_variables(scheme_)) EXPECT_NE(v, level.name);
-  if (!scheme_.space) GTEST_SKIP();
+  if (!scheme_.space) return;
   const std::string id = parse_scheme_name(scheme_.id).id;
   const Space polynomials = Space::one_frequency(scheme_.space->dimension(), {});
   if (is_interpolatory(scheme_)) {
@@ -136,7 +136,7 @@ TEST_P(Contract, ClaimsCanBeRead) {
 
 /// Claims that are decided by looking.
 TEST_P(Contract, EasyClaimsAreTrue) {
-  if (!scalar()) GTEST_SKIP();
+  if (!scalar()) return;  // a statement about scalar symbols
   const Laurent a = symbol(scheme_);
   for (const Claim& c : scheme_.claims) {
     if (c.name == "interpolatory") {

@@ -22,7 +22,8 @@ std::string fault(const Space& space, bool folded = true) {
   if (!(interpolating_symbol_by_divided_differences(space) == zeta)) return "route 3 differs";
   if (const auto harmonic = interpolating_symbol_harmonic(space); harmonic && !(*harmonic == zeta))
     return "harmonic route differs";
-  if (const auto two = interpolating_symbol_two_nodes(space); two && !(*two == zeta)) return "closed form for two nodes differs";
+  if (const auto two = interpolating_symbol_two_nodes(space); two && !(*two == zeta))
+    return "closed form for two nodes differs";
   if (!(sigma * h.omega == zeta)) return "zeta is not sigma omega";
   if (!(zeta.subsymbol(2, 0) == Laurent::monomial(0))) return "zeta is not interpolatory";
   if (zeta.lowest() != 1 - 2 * l || zeta.highest() != 2 * l - 1) return "support";
@@ -174,7 +175,7 @@ TEST(InterpolatingSymbol, OddDimensionsAreRefused) {
 TEST(InterpolatingSymbol, ClosedFormForTwoNodesKnowsItsSpaces) {
   for (unsigned l = 2; l <= 8; ++l)
     for (const char* family : {"mixed", "resonant"})
-      EXPECT_TRUE(interpolating_symbol_two_nodes(family_space(family, family_member(family, l))).has_value()) << family << l;
+      EXPECT_TRUE(interpolating_symbol_two_nodes(family_space(family, family_member(family, l)))) << family << l;
   for (const char* text : {"exp(s*x),exp(-s*x),exp(t*x),exp(-t*x),x*exp(s*x),x*exp(-s*x)", "1,x,cos(t*x),sin(t*x)",
                            "exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x),x*exp(2*t*x),x*exp(-2*t*x)",
                            "exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x),exp(3*t*x),exp(-3*t*x)"}) {

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/integer.hpp"
 
 namespace twoscale::lowering {
 
@@ -38,20 +39,6 @@ void write_digits(char* to, unsigned long value, int count) {
   for (int i = count; i-- > 0; value /= 10) to[i] = static_cast<char>('0' + value % 10);
 }
 
-struct Integer {
-  fmpz_t v;
-  Integer() { fmpz_init(v); }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  ~Integer() { fmpz_clear(v); }
-  std::string text() const {
-    char* s = fmpz_get_str(nullptr, 10, v);
-    std::string r(s);
-    flint_free(s);
-    return r;
-  }
-};
-
 // floor(log10 |x|), possibly one off.
 long decimal_exponent(const Rational& x) {
   const auto log2_of = [](const fmpz* n) {
@@ -77,20 +64,6 @@ void scale(const Rational& x, long shift, Integer& quotient, Integer& remainder,
 }
 
 }  // namespace
-
-std::string decimal_layout(const std::string& digits, long last, bool negative, long precision) {
-  const long count = static_cast<long>(digits.size());
-  const long e = last + count - 1;  // of the first digit
-  std::string text = negative ? "-" : "";
-  if (e > 20 || e < -(precision + 6)) {
-    text += digits[0];
-    if (count > 1) text.append(1, '.').append(digits, 1);
-    return text + "e" + std::to_string(e);
-  }
-  if (last >= 0) return text.append(digits).append(static_cast<size_t>(last), '0');
-  if (e < 0) return text.append("0.").append(static_cast<size_t>(-e - 1), '0').append(digits);
-  return text.append(digits, 0, static_cast<size_t>(e) + 1).append(1, '.').append(digits, static_cast<size_t>(e) + 1);
-}
 
 // Digits of |x| down to 10^{e - digits + 1}. wrong: +1 if e is too small, -1 if too large.
 bool DecimalRounder::try_exponent(const Ball& x, long e, int& wrong) {
@@ -231,7 +204,7 @@ Decimal rounded(const Rational& x, long digits) {
     const long last = e - digits + 1;
     scale(x, -last, quotient, remainder, divisor);
     const bool exact = fmpz_is_zero(remainder.v) != 0;
-    const std::string before = quotient.text();  // decides whether e is right
+    const std::string before = quotient.to_string();  // decides whether e is right
     const long count = static_cast<long>(before.size());
     if (fmpz_is_zero(quotient.v) || count != digits) {
       e += count > digits ? 1 : -1;
@@ -242,7 +215,7 @@ Decimal rounded(const Rational& x, long digits) {
     long weight = last;
     if (fmpz_cmp(remainder.v, divisor.v) >= 0) {
       fmpz_add_ui(quotient.v, quotient.v, 1);
-      text = quotient.text();
+      text = quotient.to_string();
       if (static_cast<long>(text.size()) > digits) {
         text.pop_back();
         ++weight;
@@ -309,7 +282,7 @@ std::string rounded_up(const Rational& x) {
       --e;
       continue;
     }
-    std::string text = quotient.text();
+    std::string text = quotient.to_string();
     e += static_cast<long>(text.size()) - 3;
     text.resize(text.find_last_not_of('0') + 1);
     if (e == 0 || e == 1) return decimal_layout(text, e - static_cast<long>(text.size()) + 1, false, 3);

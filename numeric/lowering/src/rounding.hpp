@@ -40,10 +40,6 @@ double rounded_double(const Rational& x);
 // True if x is a double.
 bool is_double(const Rational& x);
 
-// The number whose significant digits are `digits` (no point) and whose last one has weight 10^last. Plain notation;
-// scientific beyond 10^21 and below 10^-(precision+6).
-std::string decimal_layout(const std::string& digits, long last, bool negative, long precision);
-
 // A decimal >= x with at most 3 significant digits, "1.23e-7"; x >= 0.
 std::string rounded_up(const Rational& x);
 std::string rounded_up(const arf_t x);

@@ -43,6 +43,10 @@ std::string rounded_decimal(const Ball& x, long digits);
 // The same for a rational: a ball around 3/20 never decides its first digit.
 std::string rounded_decimal(const Rational& x, long digits);
 
+// The number whose significant digits are `digits` (no point) and whose last one has weight 10^last. Plain notation;
+// scientific beyond 10^21 and below 10^-(precision+6).
+std::string decimal_layout(const std::string& digits, long last, bool negative, long precision);
+
 // Correct rounding to double (nearest, ties to even); false if the ball does not decide it.
 bool rounded_double(const Ball& x, double& result);
 
