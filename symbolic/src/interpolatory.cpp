@@ -69,11 +69,14 @@ std::vector<Polynomial> cosine_coefficients(const std::vector<Polynomial>& q) {
   return a;
 }
 
-Laurent symmetric_interpolatory(const std::vector<RationalFunction>& odd) {
+Laurent symmetric_interpolatory(std::vector<RationalFunction> odd) {
   const size_t l = odd.size();
   std::vector<RationalFunction> c(4 * l - 1);
   c[2 * l - 1] = 1;
-  for (size_t i = 0; i < l; ++i) c[2 * l - 1 - (2 * i + 1)] = c[2 * l - 1 + (2 * i + 1)] = odd[i];
+  for (size_t i = 0; i < l; ++i) {
+    c[2 * l - 1 - (2 * i + 1)] = odd[i];
+    c[2 * l - 1 + (2 * i + 1)] = std::move(odd[i]);
+  }
   return {-(2 * static_cast<long>(l) - 1), std::move(c)};
 }
 
@@ -158,18 +161,13 @@ Laurent interpolating_symbol_by_divided_differences(const Space& space) {
     odd.push_back(RationalFunction::over_factors(a * integer_polynomial(Rational(scale.denominator())),
                                                  Rational(scale.numerator()), denominator.factors));
   }
-  return symmetric_interpolatory(odd);
+  return symmetric_interpolatory(std::move(odd));
 }
 
 namespace {
 
-// sum_j c[j] x^{2j}.
+// sum_j c[j] x^{2j}, x not constant.
 Polynomial even_polynomial(const std::vector<Rational>& c, const Polynomial& x) {
-  if (x.is_one()) {
-    Rational sum;
-    for (const Rational& a : c) sum += a;
-    return integer_polynomial(sum);
-  }
   if (x == Polynomial::variable(x.variables()[0])) {
     std::vector<Rational> spread(2 * c.size() - 1);
     for (size_t j = 0; j < c.size(); ++j) spread[2 * j] = c[j];
@@ -179,6 +177,64 @@ Polynomial even_polynomial(const std::vector<Rational>& c, const Polynomial& x) 
   Polynomial value;
   for (size_t j = c.size(); j-- > 0;) value = value * square + integer_polynomial(c[j]);
   return value;
+}
+
+// The coefficients of z^{2i+1}, i = 0..n, in F(w/p), times 2^{4n-3} p^{2n-1}, and in w (w^2 - p^2)^n, times 2^{2n+1}; F
+// as in interpolating_symbol_two_nodes.
+std::vector<std::pair<Polynomial, Polynomial>> two_node_parts(long n, const Polynomial& p) {
+  const auto choose = [](long a, long b) { return Rational::binomial(Rational(a), static_cast<unsigned>(b)); };
+  const auto signed_by = [](long k, const Rational& r) { return k % 2 == 0 ? r : -r; };
+  const Rational lead = Rational(2 * n - 1) * choose(2 * n - 2, n - 1);
+  std::vector<std::pair<Polynomial, Polynomial>> parts;
+  if (p.is_one()) {
+    // With w = cosh(theta), z = e^theta: dF/dtheta = c (-1)^{n-1} sinh^{2n-1}, w (w^2 - 1)^n = cosh sinh^{2n}:
+    // binomials.
+    std::vector<Rational> odd_row(static_cast<size_t>(n) + 1),
+        even_row(static_cast<size_t>(n) + 1);  // C(2n-1,k), C(2n,k)
+    odd_row[0] = even_row[0] = 1;
+    for (long k = 1; k <= n; ++k) {
+      odd_row[static_cast<size_t>(k)] = odd_row[static_cast<size_t>(k) - 1] * Rational(2 * n - k) / Rational(k);
+      even_row[static_cast<size_t>(k)] = even_row[static_cast<size_t>(k) - 1] * Rational(2 * n - k + 1) / Rational(k);
+    }
+    for (long i = 0; i <= n; ++i) {
+      const auto k = static_cast<size_t>(n - i);
+      const Rational f = i == n ? Rational(0) : signed_by(i, lead * odd_row[k - 1] / Rational(2 * i + 1));
+      const Rational h = signed_by(n - i, i == n ? even_row[0] : even_row[k] - even_row[k - 1]);
+      parts.emplace_back(integer_polynomial(f), integer_polynomial(h));
+    }
+    return parts;
+  }
+  const auto l = static_cast<size_t>(n) + 1;
+  std::vector<Rational> t(l), s(l);  // in powers of p^2
+  for (long j = 0; j <= n; ++j) {
+    const size_t at = static_cast<size_t>(n - j);
+    if (j < n)
+      t[at] = lead * choose(n - 1, j) * Rational(4).pow(n - 1 - j) / Rational(j % 2 == 0 ? 2 * j + 1 : -2 * j - 1);
+    s[at] = choose(n, j) * Rational(4).pow(n - j) * Rational((n - j) % 2 == 0 ? 1 : -1);
+  }
+  // cosine[j][i] = C(2j+1, j-i), the coefficient of z^{2i+1} in 2^{2j+1} w^{2j+1}.
+  std::vector<std::vector<Rational>> cosine{{1}};
+  for (size_t j = 1; j < l; ++j) {
+    const std::vector<Rational>& before = cosine.back();
+    std::vector<Rational> row(j + 1);
+    for (size_t i = 0; i < j; ++i) {
+      row[i] += before[i] + before[i] + before[i == 0 ? 0 : i - 1];
+      if (i + 1 < j) row[i] += before[i + 1];
+    }
+    row[j] = 1;
+    cosine.push_back(std::move(row));
+  }
+  for (long i = 0; i <= n; ++i) {
+    std::vector<Rational> a(static_cast<size_t>(n - i + 1)), b(a.size());
+    for (long j = i; j <= n; ++j) {
+      const size_t at = static_cast<size_t>(n - j);
+      const Rational& c = cosine[static_cast<size_t>(j)][static_cast<size_t>(i)];
+      if (at > 0) a[at - 1] = t[at] * c;
+      b[at] = s[at] * c;
+    }
+    parts.emplace_back(even_polynomial(a, p), even_polynomial(b, p));
+  }
+  return parts;
 }
 
 }  // namespace
@@ -202,10 +258,10 @@ std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
   const Polynomial sum = p + q;
   const Polynomial twice = Polynomial(2) * p;
   for (long k = 0; k < n; ++k) {
-    g = g * twice + integer_polynomial(choose(n - 1 + k, k)) * power;
+    g = g * twice + power.scaled(choose(n - 1 + k, k));
     power *= sum;
   }
-  const Polynomial denominator_part = Polynomial(4) * q * power;
+  const Polynomial denominator_part = (q * power).scaled(4);
   if (n % 2 == 1) g = -g;
   Sums sums(space);
   const auto to_the = [](FactoredPolynomial f, long e) {
@@ -217,42 +273,12 @@ std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
   denominator.multiply(to_the(sums.factored(simple, multiple), n));
   denominator.multiply(to_the(sums.factored(multiple, multiple), 2 * n - 1));
   const Rational content = denominator.content / Rational(2).pow(2 * n) * Rational(2).pow(4 * n - 1);
-  // The coefficients of z^{2i+1} in F(w/p) and in w (w^2 - p^2)^n, times 2^{4n-3} p^{2n-1} and 2^{2n+1}, in powers of
-  // p^2.
-  const Rational lead = Rational(2 * n - 1) * choose(2 * n - 2, n - 1);
-  std::vector<Rational> t(l), s(l);
-  for (long j = 0; j <= n; ++j) {
-    const size_t at = static_cast<size_t>(n - j);
-    if (j < n)
-      t[at] = lead * choose(n - 1, j) * Rational(4).pow(n - 1 - j) / Rational(j % 2 == 0 ? 2 * j + 1 : -2 * j - 1);
-    s[at] = choose(n, j) * Rational(4).pow(n - j) * Rational((n - j) % 2 == 0 ? 1 : -1);
-  }
-  // cosine[j][i] = C(2j+1, j-i), the coefficient of z^{2i+1} in 2^{2j+1} w^{2j+1}.
-  std::vector<std::vector<Rational>> cosine{{1}};
-  for (size_t j = 1; j < l; ++j) {
-    const std::vector<Rational>& before = cosine.back();
-    std::vector<Rational> row(j + 1);
-    for (size_t i = 0; i < j; ++i) {
-      row[i] += before[i] + before[i] + before[i == 0 ? 0 : i - 1];
-      if (i + 1 < j) row[i] += before[i + 1];
-    }
-    row[j] = 1;
-    cosine.push_back(std::move(row));
-  }
+  const std::vector<std::pair<Polynomial, Polynomial>> parts = two_node_parts(n, p);
   std::vector<RationalFunction> odd;
-  for (long i = 0; i <= n; ++i) {
-    std::vector<Rational> a(static_cast<size_t>(n - i + 1)), b(a.size());
-    for (long j = i; j <= n; ++j) {
-      const size_t at = static_cast<size_t>(n - j);
-      const Rational& c = cosine[static_cast<size_t>(j)][static_cast<size_t>(i)];
-      if (at > 0) a[at - 1] = t[at] * c;
-      b[at] = s[at] * c;
-    }
-    const Polynomial numerator = denominator_part * even_polynomial(a, p) + g * even_polynomial(b, p);
-    odd.push_back(RationalFunction::over_factors(numerator * integer_polynomial(Rational(content.denominator())),
+  for (const auto& [f, h] : parts)
+    odd.push_back(RationalFunction::over_factors((denominator_part * f + g * h).scaled(Rational(content.denominator())),
                                                  Rational(content.numerator()), denominator.factors));
-  }
-  return symmetric_interpolatory(odd);
+  return symmetric_interpolatory(std::move(odd));
 }
 
 std::optional<Laurent> interpolating_symbol_harmonic(const Space& space) {
@@ -305,7 +331,7 @@ std::optional<Laurent> interpolating_symbol_harmonic(const Space& space) {
     odd[(m - 1) / 2] = RationalFunction::over_factors(integer_polynomial(Rational(content.numerator())) * top,
                                                       Rational(content.denominator()), std::move(bottom));
   }
-  return symmetric_interpolatory(odd);
+  return symmetric_interpolatory(std::move(odd));
 }
 
 HessenbergSystem hessenberg_system(const Space& space) {

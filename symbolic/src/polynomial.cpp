@@ -17,15 +17,18 @@ namespace twoscale {
 
 // The variables of a polynomial: none or one in `dense`, two or more in `sparse` with its context.
 struct Polynomial::Rep {
-  std::vector<std::string> names;
+  using Names = std::shared_ptr<const std::vector<std::string>>;
+  Names table;  // shared: most polynomials of a computation have the same variables
   fmpz_poly_t dense;
   fmpz_mpoly_ctx_t context;
   fmpz_mpoly_t sparse;
   bool multivariate;
 
-  explicit Rep(std::vector<std::string> n) : names(std::move(n)), multivariate(names.size() > 1) {
+  const std::vector<std::string>& names() const { return *table; }
+
+  explicit Rep(Names n) : table(std::move(n)), multivariate(names().size() > 1) {
     if (multivariate) {
-      fmpz_mpoly_ctx_init(context, static_cast<slong>(names.size()), ORD_LEX);
+      fmpz_mpoly_ctx_init(context, static_cast<slong>(names().size()), ORD_LEX);
       fmpz_mpoly_init(sparse, context);
     } else {
       fmpz_poly_init(dense);
@@ -48,16 +51,20 @@ namespace {
 using Rep = Polynomial::Rep;
 using RepPtr = std::shared_ptr<Rep>;
 
-const std::vector<std::string> no_names;
+const Rep::Names no_names = std::make_shared<const std::vector<std::string>>();
 
-RepPtr make(const std::vector<std::string>& names) { return std::make_shared<Rep>(names); }
+RepPtr make(const Rep::Names& names) { return std::make_shared<Rep>(names); }
+RepPtr make(std::vector<std::string> names) {
+  return make(std::make_shared<const std::vector<std::string>>(std::move(names)));
+}
 
 // Copies p into a representation over `names`, a sorted superset of p's variables with at least two members.
-RepPtr widen(const Rep& p, const std::vector<std::string>& names) {
-  RepPtr r = make(names);
+RepPtr widen(const Rep& p, const Rep::Names& table) {
+  RepPtr r = make(table);
+  const std::vector<std::string>& names = *table;
   if (!p.multivariate) {
     std::vector<ulong> exponent(names.size(), 0);
-    const auto at = p.names.empty() ? names.end() : std::find(names.begin(), names.end(), p.names[0]);
+    const auto at = p.names().empty() ? names.end() : std::find(names.begin(), names.end(), p.names()[0]);
     for (slong i = fmpz_poly_degree(p.dense); i >= 0; --i) {
       const fmpz* c = p.dense->coeffs + i;
       if (fmpz_is_zero(c)) continue;
@@ -65,9 +72,9 @@ RepPtr widen(const Rep& p, const std::vector<std::string>& names) {
       fmpz_mpoly_push_term_fmpz_ui(r->sparse, c, exponent.data(), r->context);
     }
   } else {
-    std::vector<slong> place(p.names.size());
+    std::vector<slong> place(p.names().size());
     for (size_t i = 0; i < place.size(); ++i)
-      place[i] = std::find(names.begin(), names.end(), p.names[i]) - names.begin();
+      place[i] = std::find(names.begin(), names.end(), p.names()[i]) - names.begin();
     fmpz_mpoly_compose_fmpz_mpoly_gen(r->sparse, p.sparse, place.data(), p.context, r->context);
   }
   return r;
@@ -76,10 +83,10 @@ RepPtr widen(const Rep& p, const std::vector<std::string>& names) {
 // Restores the canonical form: drops the variables that no longer occur.
 std::shared_ptr<const Rep> canonical(RepPtr r) {
   if (!r->multivariate) {
-    if (!r->names.empty() && fmpz_poly_degree(r->dense) <= 0) r->names.clear();
+    if (!r->names().empty() && fmpz_poly_degree(r->dense) <= 0) r->table = no_names;
     return r;
   }
-  std::vector<int> used(r->names.size(), 0);
+  std::vector<int> used(r->names().size(), 0);
   fmpz_mpoly_used_vars(used.data(), r->sparse, r->context);
   if (std::find(used.begin(), used.end(), 0) == used.end()) return r;
   std::vector<std::string> names;
@@ -87,7 +94,7 @@ std::shared_ptr<const Rep> canonical(RepPtr r) {
   for (size_t i = 0; i < used.size(); ++i)
     if (used[i] != 0) {
       place[i] = static_cast<slong>(names.size());
-      names.push_back(r->names[i]);
+      names.push_back(r->names()[i]);
     }
   RepPtr s = make(names);
   if (s->multivariate) {
@@ -108,24 +115,25 @@ std::shared_ptr<const Rep> canonical(RepPtr r) {
 
 std::vector<std::string> unite(const Rep& a, const Rep& b) {
   std::vector<std::string> names;
-  std::set_union(a.names.begin(), a.names.end(), b.names.begin(), b.names.end(), std::back_inserter(names));
+  std::set_union(a.names().begin(), a.names().end(), b.names().begin(), b.names().end(), std::back_inserter(names));
   return names;
 }
 
 // Calls dense(r, a, b) or sparse(r, a, b) on representations over common variables.
 template <class Dense, class Sparse>
 std::shared_ptr<const Rep> combine(const Rep& a, const Rep& b, Dense dense, Sparse sparse) {
-  if (!a.multivariate && !b.multivariate && (a.names.empty() || b.names.empty() || a.names == b.names)) {
-    RepPtr r = make(a.names.empty() ? b.names : a.names);
+  if (!a.multivariate && !b.multivariate &&
+      (a.names().empty() || b.names().empty() || (a.table == b.table || a.names() == b.names()))) {
+    RepPtr r = make(a.names().empty() ? b.table : a.table);
     dense(r->dense, a.dense, b.dense);
     return canonical(std::move(r));
   }
-  if (a.multivariate && a.names == b.names) {
-    RepPtr r = make(a.names);
+  if (a.multivariate && (a.table == b.table || a.names() == b.names())) {
+    RepPtr r = make(a.table);
     sparse(r->sparse, a.sparse, b.sparse, r->context);
     return canonical(std::move(r));
   }
-  const std::vector<std::string> names = unite(a, b);
+  const auto names = std::make_shared<const std::vector<std::string>>(unite(a, b));
   const RepPtr x = widen(a, names);
   const RepPtr y = widen(b, names);
   RepPtr r = make(names);
@@ -171,13 +179,13 @@ Polynomial Polynomial::constant(const fmpz_t value) {
 }
 
 Polynomial Polynomial::variable(const std::string& name) {
-  RepPtr r = make({name});
+  RepPtr r = make(std::vector<std::string>{name});
   fmpz_poly_set_coeff_si(r->dense, 1, 1);
   return wrap(r);
 }
 
 Polynomial Polynomial::univariate(const std::string& name, std::span<const Rational> coefficients) {
-  RepPtr r = make({name});
+  RepPtr r = make(std::vector<std::string>{name});
   for (size_t i = 0; i < coefficients.size(); ++i) {
     if (!coefficients[i].is_integer()) throw std::logic_error("univariate: coefficient is not an integer");
     fmpz_poly_set_coeff_fmpz(r->dense, static_cast<slong>(i), coefficients[i].numerator());
@@ -186,25 +194,25 @@ Polynomial Polynomial::univariate(const std::string& name, std::span<const Ratio
 }
 
 Polynomial Polynomial::univariate(const std::string& name, const fmpz_poly_t coefficients) {
-  RepPtr r = make({name});
+  RepPtr r = make(std::vector<std::string>{name});
   fmpz_poly_set(r->dense, coefficients);
   return wrap(canonical(std::move(r)));
 }
 
 Polynomial Polynomial::chebyshev(const std::string& name, unsigned n) {
-  RepPtr r = make({name});
+  RepPtr r = make(std::vector<std::string>{name});
   arith_chebyshev_t_polynomial(r->dense, n);
   return wrap(canonical(std::move(r)));
 }
 
 Polynomial Polynomial::cosine_minimal(const std::string& name, unsigned d) {
-  RepPtr r = make({name});
+  RepPtr r = make(std::vector<std::string>{name});
   arith_cos_minpoly(r->dense, d);
   fmpz_poly_primitive_part(r->dense, r->dense);
   return wrap(canonical(std::move(r)));
 }
 
-const std::vector<std::string>& Polynomial::variables() const { return rep_->names; }
+const std::vector<std::string>& Polynomial::variables() const { return rep_->names(); }
 
 bool Polynomial::is_zero() const { return !rep_->multivariate && fmpz_poly_is_zero(rep_->dense) != 0; }
 
@@ -219,10 +227,10 @@ Rational Polynomial::constant_value() const {
 
 long Polynomial::degree(const std::string& variable) const {
   if (is_zero()) return -1;
-  const auto at = std::find(rep_->names.begin(), rep_->names.end(), variable);
-  if (at == rep_->names.end()) return 0;
+  const auto at = std::find(rep_->names().begin(), rep_->names().end(), variable);
+  if (at == rep_->names().end()) return 0;
   if (!rep_->multivariate) return fmpz_poly_degree(rep_->dense);
-  return fmpz_mpoly_degree_si(rep_->sparse, at - rep_->names.begin(), rep_->context);
+  return fmpz_mpoly_degree_si(rep_->sparse, at - rep_->names().begin(), rep_->context);
 }
 
 long Polynomial::total_degree() const {
@@ -279,16 +287,18 @@ Polynomial operator-(const Polynomial& a, const Polynomial& b) {
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.is_one()) return b;
   if (b.is_one()) return a;
+  if (a.is_constant()) return b.scaled(a.constant_value());
+  if (b.is_constant()) return a.scaled(b.constant_value());
   return wrap(combine(rep(a), rep(b), fmpz_poly_mul, fmpz_mpoly_mul));
 }
 
-Polynomial Polynomial::operator-() const { return Polynomial(0) - *this; }
+Polynomial Polynomial::operator-() const { return scaled(-1); }
 
 bool operator==(const Polynomial& a, const Polynomial& b) {
   const Rep& x = rep(a);
   const Rep& y = rep(b);
   if (&x == &y) return true;
-  if (x.names != y.names) return false;
+  if (x.table != y.table && x.names() != y.names()) return false;
   if (x.multivariate) return fmpz_mpoly_equal(x.sparse, y.sparse, x.context) != 0;
   return fmpz_poly_equal(x.dense, y.dense) != 0;
 }
@@ -321,10 +331,26 @@ int Polynomial::compare(const Polynomial& a, const Polynomial& b) {
   return x.size() < y.size() ? -1 : 1;
 }
 
+Polynomial Polynomial::scaled(const Rational& factor) const {
+  if (factor == Rational(1)) return *this;
+  if (factor.is_zero()) return 0;
+  RepPtr r = make(rep_->table);
+  if (rep_->multivariate) {
+    fmpz_mpoly_scalar_mul_fmpz(r->sparse, rep_->sparse, factor.numerator(), r->context);
+    fmpz_mpoly_scalar_divexact_fmpz(r->sparse, r->sparse, factor.denominator(), r->context);
+  } else if (fmpz_is_one(factor.numerator())) {
+    fmpz_poly_scalar_divexact_fmpz(r->dense, rep_->dense, factor.denominator());
+  } else {
+    fmpz_poly_scalar_mul_fmpz(r->dense, rep_->dense, factor.numerator());
+    if (!factor.is_integer()) fmpz_poly_scalar_divexact_fmpz(r->dense, r->dense, factor.denominator());
+  }
+  return wrap(std::move(r));
+}
+
 Polynomial Polynomial::pow(unsigned exponent) const {
   if (exponent == 0) return 1;
   if (exponent == 1) return *this;
-  RepPtr r = make(rep_->names);
+  RepPtr r = make(rep_->table);
   if (rep_->multivariate) {
     if (!fmpz_mpoly_pow_ui(r->sparse, rep_->sparse, exponent, r->context)) bad_input("power is too large");
   } else {
@@ -402,26 +428,26 @@ Polynomial Polynomial::gcd(const Polynomial& a, const Polynomial& b) {
 }
 
 Polynomial Polynomial::derivative(const std::string& variable) const {
-  const auto at = std::find(rep_->names.begin(), rep_->names.end(), variable);
-  if (at == rep_->names.end()) return 0;
-  RepPtr r = make(rep_->names);
+  const auto at = std::find(rep_->names().begin(), rep_->names().end(), variable);
+  if (at == rep_->names().end()) return 0;
+  RepPtr r = make(rep_->table);
   if (rep_->multivariate)
-    fmpz_mpoly_derivative(r->sparse, rep_->sparse, at - rep_->names.begin(), r->context);
+    fmpz_mpoly_derivative(r->sparse, rep_->sparse, at - rep_->names().begin(), r->context);
   else
     fmpz_poly_derivative(r->dense, rep_->dense);
   return wrap(canonical(std::move(r)));
 }
 
 Polynomial Polynomial::substitute(const std::string& variable, const Polynomial& by) const {
-  if (std::find(rep_->names.begin(), rep_->names.end(), variable) == rep_->names.end()) return *this;
+  if (std::find(rep_->names().begin(), rep_->names().end(), variable) == rep_->names().end()) return *this;
   // Horner in the variable, coefficients being polynomials in the others.
   std::map<unsigned long, Polynomial> coefficients;
   const size_t place =
-      static_cast<size_t>(std::find(rep_->names.begin(), rep_->names.end(), variable) - rep_->names.begin());
+      static_cast<size_t>(std::find(rep_->names().begin(), rep_->names().end(), variable) - rep_->names().begin());
   for_each_term([&](const Rational& c, std::span<const unsigned long> e) {
     Polynomial term = Polynomial::constant(c.numerator());
     for (size_t i = 0; i < e.size(); ++i)
-      if (i != place && e[i] != 0) term *= Polynomial::variable(rep_->names[i]).pow(static_cast<unsigned>(e[i]));
+      if (i != place && e[i] != 0) term *= Polynomial::variable(rep_->names()[i]).pow(static_cast<unsigned>(e[i]));
     coefficients[e[place]] += term;
   });
   Polynomial r;
@@ -435,7 +461,7 @@ Polynomial Polynomial::substitute(const std::string& variable, const Polynomial&
 
 Rational Polynomial::evaluate(const std::vector<std::pair<std::string, Rational>>& at) const {
   std::vector<Rational> values;
-  for (const auto& name : rep_->names) {
+  for (const auto& name : rep_->names()) {
     const auto it = std::find_if(at.begin(), at.end(), [&](const auto& p) { return p.first == name; });
     if (it == at.end()) throw std::logic_error("evaluate: no value for " + name);
     values.push_back(it->second);
@@ -477,7 +503,7 @@ Polynomial::Factorization Polynomial::factor() const {
       fmpz_mpoly_factor_get_constant_fmpz(c.v, f, rep_->context);
       result.content = Rational(c.v);
       for (slong i = 0; i < fmpz_mpoly_factor_length(f, rep_->context); ++i) {
-        RepPtr r = make(rep_->names);
+        RepPtr r = make(rep_->table);
         fmpz_mpoly_factor_get_base(r->sparse, f, i, rep_->context);
         add(wrap(canonical(std::move(r))), static_cast<unsigned>(fmpz_mpoly_factor_get_exp_si(f, i, rep_->context)));
       }
@@ -490,7 +516,7 @@ Polynomial::Factorization Polynomial::factor() const {
     fmpz_poly_factor(f, rep_->dense);
     result.content = Rational(&f->c);
     for (slong i = 0; i < f->num; ++i) {
-      RepPtr r = make(rep_->names);
+      RepPtr r = make(rep_->table);
       fmpz_poly_set(r->dense, f->p + i);
       add(wrap(canonical(std::move(r))), static_cast<unsigned>(f->exp[i]));
     }
@@ -504,10 +530,10 @@ Polynomial::Factorization Polynomial::factor() const {
 long Polynomial::positive_zeros() const {
   if (is_constant()) return 0;
   if (all_coefficients_nonnegative() || (-*this).all_coefficients_nonnegative()) return 0;
-  const Polynomial x = variable(rep_->names.at(0));
+  const Polynomial x = variable(rep_->names().at(0));
   Polynomial squarefree = 1;
   for (const auto& [f, e] : remove(x).first.factor().factors) squarefree *= f;
-  return fmpz_poly_num_real_roots(squarefree.substitute(rep_->names[0], x * x).univariate_view()) / 2;
+  return fmpz_poly_num_real_roots(squarefree.substitute(rep_->names()[0], x * x).univariate_view()) / 2;
 }
 
 void Polynomial::for_each_term(const std::function<void(const Rational&, std::span<const unsigned long>)>& f) const {
@@ -515,11 +541,11 @@ void Polynomial::for_each_term(const std::function<void(const Rational&, std::sp
     for (slong i = fmpz_poly_degree(rep_->dense); i >= 0; --i) {
       if (fmpz_is_zero(rep_->dense->coeffs + i)) continue;
       const std::array<unsigned long, 1> e{static_cast<unsigned long>(i)};
-      f(Rational(rep_->dense->coeffs + i), std::span<const unsigned long>(e.data(), rep_->names.size()));
+      f(Rational(rep_->dense->coeffs + i), std::span<const unsigned long>(e.data(), rep_->names().size()));
     }
     return;
   }
-  std::vector<unsigned long> e(rep_->names.size());
+  std::vector<unsigned long> e(rep_->names().size());
   Integer c;
   for (slong i = 0; i < fmpz_mpoly_length(rep_->sparse, rep_->context); ++i) {
     fmpz_mpoly_get_term_coeff_fmpz(c.v, rep_->sparse, i, rep_->context);

@@ -74,13 +74,19 @@ Rational Rational::pow(long exponent) const {
 
 Rational operator+(const Rational& a, const Rational& b) {
   Rational r;
-  fmpq_add(r.value_, a.value_, b.value_);
+  if (a.is_integer() && b.is_integer())
+    fmpz_add(fmpq_numref(r.value_), a.numerator(), b.numerator());
+  else
+    fmpq_add(r.value_, a.value_, b.value_);
   return r;
 }
 
 Rational operator-(const Rational& a, const Rational& b) {
   Rational r;
-  fmpq_sub(r.value_, a.value_, b.value_);
+  if (a.is_integer() && b.is_integer())
+    fmpz_sub(fmpq_numref(r.value_), a.numerator(), b.numerator());
+  else
+    fmpq_sub(r.value_, a.value_, b.value_);
   return r;
 }
 

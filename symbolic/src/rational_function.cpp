@@ -48,6 +48,7 @@ Factors merge(const Factors& a, const Factors& b, Combine combine) {
 
 // An integer at which no factor of a subdivision symbol is small or zero (their zeros are cosines).
 constexpr long probe_point = 1009;
+constexpr long probe_from_degree = 32;
 
 unsigned larger(unsigned a, unsigned b) { return std::max(a, b); }
 unsigned missing(unsigned a, unsigned b) { return a > b ? a - b : 0; }
@@ -62,8 +63,8 @@ RationalFunction RationalFunction::over_factors(Polynomial numerator, const Rati
   if (content.is_zero()) bad_input("division by zero");
   if (numerator.is_zero()) return r;
   // f | numerator in Z[v] implies f(x) | numerator(x) at an integer x: one evaluation spares nearly all trial divisions
-  // that would fail. For one variable only, where it is cheap.
-  const bool univariate = numerator.variables().size() == 1;
+  // that would fail. For one variable and large degrees only, where it is cheap.
+  const bool univariate = numerator.variables().size() == 1 && numerator.total_degree() >= probe_from_degree;
   const std::string name = univariate ? numerator.variables()[0] : "";
   const auto probe = [&](const Polynomial& p) { return p.evaluate({{name, Rational(probe_point)}}); };
   Rational value = univariate ? probe(numerator) : Rational(0);
@@ -86,8 +87,7 @@ RationalFunction RationalFunction::over_factors(Polynomial numerator, const Rati
   Rational common = gcd(numerator.content(), content);
   if (content.sign() < 0) common = -common;
   const Rational times = common.inverse();
-  r.numerator_ = Polynomial::exact_quotient(integer_polynomial(Rational(times.numerator())) * numerator,
-                                            integer_polynomial(Rational(times.denominator())));
+  r.numerator_ = numerator.scaled(times);
   r.content_ = content * times;
   r.factors_ = std::move(factors);
   return r;
@@ -133,10 +133,8 @@ RationalFunction operator+(const RationalFunction& a, const RationalFunction& b)
   if (b.is_zero()) return a;
   const Factors all = merge(a.factors_, b.factors_, larger);
   const Rational content = a.content_ * b.content_ / gcd(a.content_, b.content_);
-  const Polynomial x =
-      a.numerator_ * expand(merge(all, a.factors_, missing)) * integer_polynomial(content / a.content_);
-  const Polynomial y =
-      b.numerator_ * expand(merge(all, b.factors_, missing)) * integer_polynomial(content / b.content_);
+  const Polynomial x = (a.numerator_ * expand(merge(all, a.factors_, missing))).scaled(content / a.content_);
+  const Polynomial y = (b.numerator_ * expand(merge(all, b.factors_, missing))).scaled(content / b.content_);
   return RationalFunction::over_factors(x + y, content, all);
 }
 

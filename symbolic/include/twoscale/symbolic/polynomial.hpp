@@ -61,6 +61,8 @@ class Polynomial {
   static int compare(const Polynomial& a, const Polynomial& b);
 
   Polynomial pow(unsigned exponent) const;
+  // factor * *this; required: the result has integer coefficients (checked only in so far as the division is exact).
+  Polynomial scaled(const Rational& factor) const;
   // a / b if b divides a over the integers.
   static std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
   // a / b where the caller knows that b divides a; throws std::logic_error if it does not.
