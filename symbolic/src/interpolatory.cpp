@@ -252,13 +252,14 @@ std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
   const std::vector<Polynomial> w = cosh_nodes(space);
   const Polynomial& p = w[multiple];
   const Polynomial& q = w[simple];
-  const auto choose = [](long a, long b) { return Rational::binomial(Rational(a), static_cast<unsigned>(b)); };
-  // G by Horner in p + q; at the end `shifted` is (p + q)^n.
+  // G by Horner in p + q; at the end `power` is (p + q)^n.
   Polynomial g, power = 1;
   const Polynomial sum = p + q;
   const Polynomial twice = Polynomial(2) * p;
+  Rational weight = 1;  // C(n-1+k, k)
   for (long k = 0; k < n; ++k) {
-    g = g * twice + power.scaled(choose(n - 1 + k, k));
+    if (k > 0) weight = weight * Rational(n - 1 + k) / Rational(k);
+    g = p.is_one() ? Polynomial::combination(2, g, weight, power) : g * twice + power.scaled(weight);
     power *= sum;
   }
   const Polynomial denominator_part = (q * power).scaled(4);
@@ -275,9 +276,15 @@ std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
   const Rational content = denominator.content / Rational(2).pow(2 * n) * Rational(2).pow(4 * n - 1);
   const std::vector<std::pair<Polynomial, Polynomial>> parts = two_node_parts(n, p);
   std::vector<RationalFunction> odd;
-  for (const auto& [f, h] : parts)
-    odd.push_back(RationalFunction::over_factors((denominator_part * f + g * h).scaled(Rational(content.denominator())),
-                                                 Rational(content.numerator()), denominator.factors));
+  const Rational scale(content.denominator());
+  for (const auto& [f, h] : parts) {
+    const bool constants = f.is_constant() && h.is_constant();
+    Polynomial numerator =
+        constants ? Polynomial::combination(f.constant_value() * scale, denominator_part, h.constant_value() * scale, g)
+                  : (denominator_part * f + g * h).scaled(scale);
+    odd.push_back(
+        RationalFunction::over_factors(std::move(numerator), Rational(content.numerator()), denominator.factors));
+  }
   return symmetric_interpolatory(std::move(odd));
 }
 

@@ -347,6 +347,14 @@ Polynomial Polynomial::scaled(const Rational& factor) const {
   return wrap(std::move(r));
 }
 
+Polynomial Polynomial::combination(const Rational& x, const Polynomial& a, const Rational& y, const Polynomial& b) {
+  if (rep(a).multivariate || rep(b).multivariate || a.variables() != b.variables()) return a.scaled(x) + b.scaled(y);
+  RepPtr r = make(rep(a).table);
+  fmpz_poly_scalar_mul_fmpz(r->dense, rep(a).dense, x.numerator());
+  fmpz_poly_scalar_addmul_fmpz(r->dense, rep(b).dense, y.numerator());
+  return wrap(canonical(std::move(r)));
+}
+
 Polynomial Polynomial::pow(unsigned exponent) const {
   if (exponent == 0) return 1;
   if (exponent == 1) return *this;

@@ -63,6 +63,8 @@ class Polynomial {
   Polynomial pow(unsigned exponent) const;
   // factor * *this; required: the result has integer coefficients (checked only in so far as the division is exact).
   Polynomial scaled(const Rational& factor) const;
+  // x a + y b; required: x and y integers.
+  static Polynomial combination(const Rational& x, const Polynomial& a, const Rational& y, const Polynomial& b);
   // a / b if b divides a over the integers.
   static std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
   // a / b where the caller knows that b divides a; throws std::logic_error if it does not.
