@@ -377,8 +377,12 @@ void halves(fmpz_t even, fmpz_t odd, const fmpz_poly_t p) {
   }
 }
 
-// What is cheap to see: b does not divide a because b(1) does not divide a(1), or because of the values at -1.
+// What is cheap to see: b does not divide a because b(0) does not divide a(0), or because of the values at 1 or -1.
 bool cannot_divide(const fmpz_poly_t a, const fmpz_poly_t b) {
+  if (!fmpz_poly_is_zero(a) && !fmpz_poly_is_zero(b)) {
+    const fmpz* constant = b->coeffs;
+    if (fmpz_is_zero(constant) ? !fmpz_is_zero(a->coeffs) : fmpz_divisible(a->coeffs, constant) == 0) return true;
+  }
   Integer a_even, a_odd, b_even, b_odd;
   halves(a_even.v, a_odd.v, a);
   halves(b_even.v, b_odd.v, b);
