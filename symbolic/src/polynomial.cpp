@@ -255,15 +255,12 @@ int Polynomial::leading_sign() const {
 Rational Polynomial::content() const {
   Rational r;
   if (rep_->multivariate) {
-    fmpz_mpoly_t c;  // term content carries monomials too, so go through the coefficients
-    fmpz_mpoly_init(c, rep_->context);
     Integer k;
     for (slong i = 0; i < fmpz_mpoly_length(rep_->sparse, rep_->context); ++i) {
       fmpz_mpoly_get_term_coeff_fmpz(k.v, rep_->sparse, i, rep_->context);
       fmpz_gcd(fmpq_numref(r.raw()), fmpq_numref(r.raw()), k.v);
       if (fmpz_is_one(fmpq_numref(r.raw()))) break;
     }
-    fmpz_mpoly_clear(c, rep_->context);
   } else {
     fmpz_poly_content(fmpq_numref(r.raw()), rep_->dense);
   }
