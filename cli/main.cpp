@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   cli::add_fit_command(app, session);
   cli::add_plot_command(app, session);
   cli::add_report_command(app, session);
+  cli::add_regularity_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {
@@ -53,7 +54,8 @@ int main(int argc, char** argv) {
     return fail(2, e.what());
   }
   try {
-    if (session.common.time_limit > 0) stop_after(std::min(session.common.time_limit, 1e9));
+    if (const double limit = std::min(session.common.time_limit, 1e9); limit > 0)
+      stop_after(session.keeps_time ? 1.5 * limit + 2 : limit);
     return session.action();
   } catch (const Error& e) {
     return fail(e.kind == Error::Kind::bad_input ? 2 : e.kind == Error::Kind::undecided ? 3 : 4, e.what());

@@ -34,6 +34,8 @@ struct Values {
 struct Session {
   std::function<int()> action;
   Common common;
+  // The command keeps to the time limit itself and ends with what it has proved; main only waits a little longer.
+  bool keeps_time = false;
 };
 
 // Declares a sub-command with the common options; `formats` are the values --format takes, the first is the default.
@@ -55,5 +57,6 @@ void add_refine_command(CLI::App& app, Session& session);
 void add_fit_command(CLI::App& app, Session& session);
 void add_plot_command(CLI::App& app, Session& session);
 void add_report_command(CLI::App& app, Session& session);
+void add_regularity_command(CLI::App& app, Session& session);
 
 }  // namespace twoscale::cli

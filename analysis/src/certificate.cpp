@@ -17,15 +17,58 @@ std::string fnv1a64(const std::string& text) {
   return s;
 }
 
+// The document with its claims, sealed.
+std::string sealed(nlohmann::ordered_json doc, const std::vector<nlohmann::ordered_json>& claims) {
+  doc["claims"] = claims;
+  doc["digest"] = "";
+  const std::string digest = fnv1a64(doc.dump(1) + "\n");
+  doc["digest"] = "fnv1a64:" + digest;
+  return doc.dump(1) + "\n";
+}
+
+nlohmann::ordered_json opening(const std::string& label) {
+  nlohmann::ordered_json doc;
+  doc["format"] = "twoscale/certificate";
+  doc["version"] = 1;
+  doc["scheme"] = label;
+  return doc;
+}
+
 }  // namespace
+
+MaskData mask_data(const Scheme& scheme) {
+  MaskData data;
+  const Laurent a = symbol(scheme);
+  const CommonDenominator d = common_denominator(a.coefficients());
+  data.levels = level_variables(scheme);
+  for (const auto& p : scheme.parameters)
+    if (p.scope == Parameter::Scope::constant) data.constants.push_back(p.name);
+  data.lowest = a.lowest();
+  data.denominator = d.expanded();
+  for (const auto& c : a.coefficients()) data.numerators.push_back(numerator_over(c, d));
+  return data;
+}
+
+std::string matrices_certificate_text(const std::string& label, const std::vector<RationalMatrix>& matrices,
+                                      const std::vector<nlohmann::ordered_json>& claims) {
+  nlohmann::ordered_json doc = opening(label);
+  doc["matrices"] = nlohmann::ordered_json::array();
+  for (const auto& b : matrices) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (long i = 0; i < b.rows(); ++i) {
+      nlohmann::ordered_json row = nlohmann::ordered_json::array();
+      for (long j = 0; j < b.columns(); ++j) row.push_back(b(i, j).to_string());
+      rows.push_back(row);
+    }
+    doc["matrices"].push_back(rows);
+  }
+  return sealed(std::move(doc), claims);
+}
 
 std::string certificate_text(const Scheme& scheme, const MaskData& mask,
                              const std::vector<nlohmann::ordered_json>& claims) {
   using Json = nlohmann::ordered_json;
-  Json doc;
-  doc["format"] = "twoscale/certificate";
-  doc["version"] = 1;
-  doc["scheme"] = scheme.id;
+  Json doc = opening(scheme.id);
   doc["arity"] = scheme.arity;
   std::vector<Json> variables;
   for (const auto& v : mask.levels)
@@ -39,11 +82,7 @@ std::string certificate_text(const Scheme& scheme, const MaskData& mask,
   for (const auto& n : mask.numerators) numerators.push_back(n.to_string());
   doc["mask"] = Json::object(
       {{"lowest", mask.lowest}, {"numerators", numerators}, {"denominator", mask.denominator.to_string()}});
-  doc["claims"] = claims;
-  doc["digest"] = "";
-  const std::string digest = fnv1a64(doc.dump(1) + "\n");
-  doc["digest"] = "fnv1a64:" + digest;
-  return doc.dump(1) + "\n";
+  return sealed(std::move(doc), claims);
 }
 
 }  // namespace twoscale::analysis

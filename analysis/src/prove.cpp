@@ -52,14 +52,10 @@ class Mask {
   Mask(const Scheme& scheme, std::vector<LevelVariable> levels, const std::vector<unsigned>& scale)
       : scheme_(scheme), m_(scheme.arity), exponent_(Rational(scheme.arity - 1) * scheme.shift) {
     q_ = Rational(exponent_.denominator()).to_long();
-    const Laurent a = symbol(scheme);
-    const CommonDenominator d = common_denominator(a.coefficients());
+    data_ = mask_data(scheme);
     data_.levels = std::move(levels);
-    for (const auto& p : scheme.parameters)
-      if (p.scope == Parameter::Scope::constant) data_.constants.push_back(p.name);
-    data_.lowest = a.lowest();
-    data_.denominator = rescaled(d.expanded(), scale);
-    for (const auto& c : a.coefficients()) data_.numerators.push_back(rescaled(numerator_over(c, d), scale));
+    data_.denominator = rescaled(data_.denominator, scale);
+    for (auto& n : data_.numerators) n = rescaled(n, scale);
     denominator_factors_ = data_.denominator.factor().factors;
     std::sort(data_.levels.begin(), data_.levels.end(), [](const auto& x, const auto& y) { return x.name < y.name; });
     for (const auto& v : data_.levels) second_kind_.emplace_back(v.name);

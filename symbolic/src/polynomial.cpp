@@ -436,6 +436,28 @@ Polynomial Polynomial::gcd(const Polynomial& a, const Polynomial& b) {
   return wrap(std::move(r));
 }
 
+Polynomial Polynomial::resultant(const Polynomial& a, const Polynomial& b, const std::string& variable) {
+  if (a.is_zero() || b.is_zero()) return 0;
+  if (a.degree(variable) == 0) return a.pow(static_cast<unsigned>(b.degree(variable)));
+  if (b.degree(variable) == 0) return b.pow(static_cast<unsigned>(a.degree(variable)));
+  std::vector<std::string> names = a.variables();
+  names.insert(names.end(), b.variables().begin(), b.variables().end());
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  const auto place = static_cast<slong>(std::find(names.begin(), names.end(), variable) - names.begin());
+  bool done = true;
+  const auto dense = [](fmpz_poly_struct* r, const fmpz_poly_struct* x, const fmpz_poly_struct* y) {
+    Integer value;
+    fmpz_poly_resultant(value.v, x, y);
+    fmpz_poly_set_fmpz(r, value.v);
+  };
+  auto r = combine(rep(a), rep(b), dense, [&](auto* out, const auto* x, const auto* y, const auto* ctx) {
+    done = fmpz_mpoly_resultant(out, x, y, place, ctx) != 0;
+  });
+  if (!done) throw Error(Error::Kind::undecided, "a resultant could not be found");
+  return wrap(std::move(r));
+}
+
 Polynomial Polynomial::derivative(const std::string& variable) const {
   const auto at = std::find(rep_->names().begin(), rep_->names().end(), variable);
   if (at == rep_->names().end()) return 0;

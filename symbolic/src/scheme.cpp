@@ -86,6 +86,25 @@ std::optional<Laurent> limit_symbol(const Scheme& scheme) {
   return a;
 }
 
+Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string, RationalFunction>>& values) {
+  Scheme s = scheme;
+  for (const auto& [name, value] : values) {
+    const auto found = std::find_if(s.parameters.begin(), s.parameters.end(), [&](const auto& p) { return p.name == name; });
+    if (found == s.parameters.end()) bad_input("the scheme has no parameter of this name", name);
+    s.parameters.erase(found);
+    for (auto& phase : s.phases)
+      for (auto& block : phase.blocks)
+        for (auto& c : block) {
+          for (const auto& [factor, exponent] : c.denominator_factors())
+            if (RationalFunction(factor).substitute(name, value).is_zero())
+              bad_input("the masks have a pole at this value", name + "=" + value.to_string());
+          c = c.substitute(name, value);
+        }
+    s.id += " at " + name + "=" + value.to_string();
+  }
+  return s;
+}
+
 std::vector<Parameter> level_parameters(const Space& space) {
   std::vector<Parameter> list;
   for (const auto& v : space.variables()) list.push_back({v.name, Parameter::Scope::level, v});

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "twoscale/analysis/rational_matrix.hpp"
 #include "twoscale/symbolic/scheme.hpp"
 
 namespace twoscale::analysis {
@@ -20,8 +21,15 @@ struct MaskData {
   Polynomial denominator;
 };
 
+// The mask of a scheme over a common denominator.
+MaskData mask_data(const Scheme& scheme);
+
 // The certificate's text, sealed with its digest.
 std::string certificate_text(const Scheme& scheme, const MaskData& mask,
                              const std::vector<nlohmann::ordered_json>& claims);
+
+// The same for claims about given matrices instead of a mask.
+std::string matrices_certificate_text(const std::string& label, const std::vector<RationalMatrix>& matrices,
+                                      const std::vector<nlohmann::ordered_json>& claims);
 
 }  // namespace twoscale::analysis

@@ -75,6 +75,9 @@ class Polynomial {
   // Greatest common divisor, content included, positive leading coefficient; gcd(0, b) = +-b.
   static Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
+  // Resultant of a and b as polynomials in `variable`.
+  static Polynomial resultant(const Polynomial& a, const Polynomial& b, const std::string& variable);
+
   Polynomial derivative(const std::string& variable) const;
   // Replace one variable by a polynomial.
   Polynomial substitute(const std::string& variable, const Polynomial& by) const;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The joint spectral radius of finitely many rational matrices, exactly or in a proved enclosure.
+//
+//   JSR(B_1..B_k) = lim_n max_{|w| = n} ||B_w||^{1/n}.
+//
+//   literature (Guglielmi, Protasov 2013, 2016; Gripenberg 1996)     here
+//   spectrum maximising product (s.m.p.)                             cycle: a word w with rho(B_w)^{1/|w|} = JSR
+//   invariant polytope, its tree of vertices                         Block, roots, tree, images
+//   candidate search                                                 estimate_cycles (floating point)
+// Products: B_w = B_{w_n} ... B_{w_1}, the first letter acts first. Certificates: docs/certificates.md, jsr-*.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "twoscale/analysis/rational_matrix.hpp"
+#include "twoscale/analysis/real_algebraic.hpp"
+
+namespace twoscale::analysis {
+
+using Family = std::vector<RationalMatrix>;  // not empty, all square of one size
+using Word = std::vector<int>;
+
+struct JsrOptions {
+  // Stop refining when upper/lower - 1 is at most this.
+  Rational width = Rational(1, 1000);
+  size_t vertices = 1500;     // of one polytope
+  double seconds = 60;        // after that the best bounds proved so far are returned
+  bool enclosure_only = false;  // do not look for the exact value
+  std::function<void(const std::string&)> progress;
+};
+
+struct JsrResult {
+  Rational lower;                      // proved: lower <= JSR <= upper
+  Rational upper;
+  std::optional<RealAlgebraic> exact;  // the JSR, proved
+  std::vector<Word> cycles;            // words that attain it (exact), or the one that gives `lower`
+  bool bounded = false;                // products of B/JSR are bounded, proved
+  std::string method;                  // "invariant polytope", "enclosure", ...
+  // The claims jsr-exact, or jsr-lower and jsr-upper, without `claim` and `verdict` order issues: whole entries.
+  std::vector<nlohmann::ordered_json> claims;
+};
+
+// What the certificate says about where the matrices come from: the order N (0 for given matrices) and the parameter
+// interval ([] or [lo, hi]).
+struct JsrSubject {
+  long order = 0;
+  std::vector<Rational> parameter;
+};
+
+JsrResult joint_spectral_radius(const Family& family, const JsrSubject& subject, const JsrOptions& options);
+
+// Proves JSR <= r for some r < limit by a polytope with rational vertices, the claim jsr-upper; nullopt if that did not
+// succeed within the limits.
+std::optional<nlohmann::ordered_json> prove_jsr_below(const Family& family, const Rational& limit,
+                                                      const JsrSubject& subject, const JsrOptions& options);
+
+// Are all products of the family (of radius 1) bounded? true only if an exact polytope closes.
+bool prove_bounded(const Family& family, const JsrOptions& options);
+
+// Exact common invariant subspaces: T with T^{-1} B T block upper triangular for all B, and the sizes of the blocks.
+struct BlockForm {
+  RationalMatrix basis;
+  std::vector<long> sizes;
+  std::vector<Family> blocks;  // the diagonal blocks
+};
+BlockForm block_triangular_form(const Family& family);
+
+// B_{w_n} ... B_{w_1}.
+RationalMatrix product(const Family& family, const Word& word);
+// max |eigenvalue| if it belongs to a real eigenvalue: then that eigenvalue. nullopt if only a complex pair attains it.
+std::optional<RealAlgebraic> leading_eigenvalue(const RationalMatrix& a);
+
+}  // namespace twoscale::analysis

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "twoscale/analysis/parameter_range.hpp"
+
+#include <glpk.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include "affine_family.hpp"
+#include "twoscale/analysis/certificate.hpp"
+#include "twoscale/symbolic/error.hpp"
+
+namespace twoscale::analysis {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Rational middle(const Rational& a, const Rational& b) { return (a + b) / Rational(2); }
+
+// A short rational strictly between two real numbers, a < b.
+Rational between(const RealAlgebraic& a, const RealAlgebraic& b) {
+  RealAlgebraic low = a;
+  RealAlgebraic high = b;
+  while (!(low.upper() < high.lower())) {
+    low.refine((low.upper() - low.lower()) / Rational(16));
+    high.refine((high.upper() - high.lower()) / Rational(16));
+  }
+  // The dyadic number with the smallest denominator.
+  for (Rational unit = 1;; unit /= Rational(2)) {
+    const Rational steps = low.upper() / unit;
+    Rational floor;
+    fmpz_fdiv_q(fmpq_numref(floor.raw()), steps.numerator(), steps.denominator());
+    const Rational candidate = (floor + Rational(1)) * unit;
+    if (candidate < high.lower()) return candidate;
+  }
+}
+
+bool less(const RealAlgebraic& a, const RealAlgebraic& b) { return RealAlgebraic::compare(a, b) < 0; }
+
+// Zeros of p inside (a, b), appended.
+void zeros_inside(const Polynomial& p, const RealAlgebraic& a, const RealAlgebraic& b, std::vector<RealAlgebraic>& list) {
+  if (p.is_zero() || p.is_constant()) return;
+  for (auto& zero : RealAlgebraic::zeros(p))
+    if (less(a, zero) && less(zero, b)) list.push_back(zero);
+}
+
+void sort_distinct(std::vector<RealAlgebraic>& list) {
+  std::sort(list.begin(), list.end(), less);
+  list.erase(std::unique(list.begin(), list.end(), [](const auto& a, const auto& b) { return a == b; }), list.end());
+}
+
+// p with the variable set to a rational, up to a positive factor.
+Polynomial at_value(const Polynomial& p, const std::string& variable, const Rational& value) {
+  const RationalFunction r = RationalFunction(p).substitute(variable, value);
+  return r.numerator();
+}
+
+// ---- Sub-intervals, put together
+
+void append(std::vector<ParameterInterval>& list, ParameterInterval next) {
+  if (!list.empty()) {
+    ParameterInterval& last = list.back();
+    if (last.to == next.from && (last.to_included || next.from_included)) {
+      last.to = next.to;
+      last.to_included = next.to_included;
+      return;
+    }
+  }
+  list.push_back(std::move(next));
+}
+
+void tidy(std::vector<ParameterInterval>& list) {
+  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
+    const int order = RealAlgebraic::compare(a.from, b.from);
+    return order != 0 ? order < 0 : RealAlgebraic::compare(a.to, b.to) < 0;
+  });
+  std::vector<ParameterInterval> merged;
+  for (auto& i : list) append(merged, std::move(i));
+  list = std::move(merged);
+}
+
+// ---- The non-negative range
+
+// The closed sub-interval of [a, b] where the symbol is non-negative on the circle; nullopt if it is empty or a point.
+std::optional<std::pair<RealAlgebraic, RealAlgebraic>> nonnegative_range(const AffineFamily& family, const Rational& a,
+                                                                         const Rational& b) {
+  if (!family.symmetric()) return std::nullopt;
+  const Polynomial p = family.cosine_polynomial();  // in x and w
+  std::vector<RealAlgebraic> cuts;
+  const RealAlgebraic from(a);
+  const RealAlgebraic to(b);
+  zeros_inside(at_value(p, "x", 1), from, to, cuts);
+  zeros_inside(at_value(p, "x", -1), from, to, cuts);
+  if (p.degree("x") > 1) zeros_inside(Polynomial::resultant(p, p.derivative("x"), "x"), from, to, cuts);
+  cuts.push_back(from);
+  cuts.push_back(to);
+  sort_distinct(cuts);
+  std::optional<std::pair<RealAlgebraic, RealAlgebraic>> range;
+  for (size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Polynomial at = at_value(p, family.name(), between(cuts[i], cuts[i + 1]));
+    if (at.is_zero() || !nonnegative_on_circle(at)) continue;
+    if (!range) range.emplace(cuts[i], cuts[i + 1]);
+    range->second = cuts[i + 1];
+  }
+  return range;
+}
+
+RealAlgebraic central_at(const AffineFamily& family, const Rational& w) {
+  return central_radius(*symmetric_half(family.remainder_at(w).c), family.arity()).radius;
+}
+
+// rho(w) on the non-negative range: which factor of the central matrix' characteristic polynomial, and where it changes.
+std::vector<RadiusRange> central_ranges(const AffineFamily& family, const RealAlgebraic& from, const RealAlgebraic& to) {
+  const Polynomial chi = family.central_characteristic_polynomial();  // in x and w
+  std::vector<Polynomial> factors;
+  for (const auto& [factor, exponent] : chi.factor().factors)
+    if (factor.degree("x") > 0) factors.push_back(factor);
+  std::vector<RealAlgebraic> cuts{from, to};
+  for (size_t i = 0; i < factors.size(); ++i)
+    for (size_t j = i + 1; j < factors.size(); ++j)
+      zeros_inside(Polynomial::resultant(factors[i], factors[j], "x"), from, to, cuts);
+  sort_distinct(cuts);
+  std::vector<RadiusRange> list;
+  for (size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Rational w = between(cuts[i], cuts[i + 1]);
+    const RealAlgebraic rho = central_at(family, w);
+    for (const auto& factor : factors) {
+      const Polynomial at = at_value(factor, family.name(), w);
+      if (!Polynomial::quotient(at, rho.polynomial())) continue;
+      if (!list.empty() && list.back().polynomial == factor) {
+        list.back().interval.to = cuts[i + 1];
+      } else {
+        RadiusRange r;
+        r.interval = {cuts[i], cuts[i + 1], true, true};
+        r.polynomial = factor;
+        r.expression = branch_expression(factor, family.name(), w, rho);
+        r.method = "nonnegative symbol";
+        list.push_back(std::move(r));
+      }
+      break;
+    }
+  }
+  return list;
+}
+
+// C^l or not on the non-negative range, exactly: rho(w) - tau keeps its sign between the zeros of chi(w, tau).
+void central_continuity(const AffineFamily& family, const RealAlgebraic& from, const RealAlgebraic& to, long l,
+                        ContinuityRange& result, std::vector<Json>& claims) {
+  const Rational tau = Rational(family.arity()).pow(family.order() - l);
+  std::vector<RealAlgebraic> cuts{from, to};
+  zeros_inside(at_value(family.central_characteristic_polynomial(), "x", tau), from, to, cuts);
+  sort_distinct(cuts);
+  const auto reaches = [&](const RealAlgebraic& w) {  // rho(w) >= tau at a cut: exactly if rational, else only at a zero
+    if (const auto q = w.rational()) return RealAlgebraic::compare(central_at(family, *q), tau) >= 0;
+    return true;
+  };
+  for (size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Rational w = between(cuts[i], cuts[i + 1]);
+    const bool below = RealAlgebraic::compare(central_at(family, w), tau) < 0;
+    ParameterInterval interval{cuts[i], cuts[i + 1], true, true};
+    if (below) {
+      interval.from_included = !reaches(cuts[i]);
+      interval.to_included = !reaches(cuts[i + 1]);
+    }
+    // Rational ends inside, for the certificate.
+    Rational low = interval.from.rational().value_or(interval.from.upper());
+    Rational high = interval.to.rational().value_or(interval.to.lower());
+    if (low < high) {
+      Json claim;
+      claim["claim"] = "nonnegative-family";
+      claim["verdict"] = "proved";
+      claim["order"] = family.order();
+      claim["parameter"] = Json::array({low.to_string(), high.to_string()});
+      claim["relation"] = below ? "below" : "above";
+      claim["bound"] = tau.to_string();
+      claim["theorem"] = "nonnegative-symbol";
+      claims.push_back(std::move(claim));
+    }
+    append(below ? result.proved : result.refuted, std::move(interval));
+  }
+}
+
+// ---- Cells
+
+struct Cell {
+  std::vector<ParameterInterval> proved;
+  std::vector<ParameterInterval> refuted;
+  std::vector<Json> claims;
+};
+
+class CellProver {
+ public:
+  CellProver(const AffineFamily& family, const ParameterOptions& options, Rational resolution)
+      : family_(family), options_(options), resolution_(std::move(resolution)) {
+    options_.regularity.jsr.progress = nullptr;
+    options_.regularity.jsr.seconds = std::min(options_.regularity.jsr.seconds, 10.0);
+  }
+
+  Rational threshold(long l) const { return Rational(family_.arity()).pow(family_.order() - l); }
+
+  JsrResult radius(const Rational& w) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto found = cache_.find(w); found != cache_.end()) return found->second;
+    }
+    JsrResult r = joint_spectral_radius(family_.matrices_at(w), {}, options_.regularity.jsr);
+    const std::lock_guard lock(mutex_);
+    return cache_.emplace(w, std::move(r)).first->second;
+  }
+
+  // 1: rho(w) < tau is proved, -1: rho(w) >= tau is proved.
+  int side(const Rational& w, const Rational& tau) {
+    const JsrResult r = radius(w);
+    if (r.exact) return RealAlgebraic::compare(*r.exact, tau) < 0 ? 1 : -1;
+    return r.upper < tau ? 1 : r.lower >= tau ? -1 : 0;
+  }
+
+  std::optional<Json> joint(const Rational& low, const Rational& high, const Rational& tau) const {
+    Family both = family_.matrices_at(low);
+    JsrSubject subject{family_.order(), {low, high}};
+    if (!(low == high))
+      for (auto& b : family_.matrices_at(high)) both.push_back(std::move(b));
+    return prove_jsr_below(both, tau, subject, options_.regularity.jsr);
+  }
+
+  void run(const Rational& low, const Rational& high, const Rational& tau, Cell& cell) {
+    const int a = side(low, tau);
+    const int b = side(high, tau);
+    if (a == 1 && b == 1) {
+      if (auto claim = joint(low, high, tau)) {
+        cell.claims.push_back(std::move(*claim));
+        append(cell.proved, {low, high, true, true});
+        return;
+      }
+    } else if (a == -1 && b == -1) {
+      if (refute(low, high, low, high, tau, cell)) return;
+    }
+    if (high - low <= resolution_) {
+      if (a != b && (a == -1 || b == -1)) boundary(low, high, a == -1, tau, cell);
+      return;
+    }
+    const Rational mid = middle(low, high);
+    run(low, mid, tau, cell);
+    run(mid, high, tau, cell);
+  }
+
+ private:
+  // Products that attain the radius at w; both signs of the eigenvalue are tried.
+  bool refute(const Rational& w1, const Rational& w2, const Rational& low, const Rational& high, const Rational& tau,
+              Cell& cell) {
+    for (const Rational& w : {w1, w2})
+      for (const auto& word : radius(w).cycles)
+        for (const long sign : {1L, -1L}) {
+          const Polynomial d = family_.determinant_beyond(word, sign, tau);
+          if (d.is_zero() || sign_inside(d, low, high) >= 0) continue;
+          cell.claims.push_back(lower_claim(low, high, word, sign, tau));
+          append(cell.refuted, {low, high, true, true});
+          return true;
+        }
+    return false;
+  }
+
+  // The sign of d in (low, high) if it does not change there, else 1.
+  int sign_inside(const Polynomial& d, const Rational& low, const Rational& high) const {
+    const RealAlgebraic a(low);
+    const RealAlgebraic b(high);
+    if (d.is_constant()) return d.constant_value().sign();
+    for (const auto& [factor, exponent] : d.factor().factors) {
+      std::vector<RealAlgebraic> zeros;
+      if (exponent % 2 == 1) zeros_inside(factor, a, b, zeros);
+      if (!zeros.empty()) return 1;
+    }
+    for (long k = 2;; ++k)
+      if (const int s = sign_at(d, low + (high - low) / Rational(k)); s != 0) return s;
+  }
+
+  // One end is beyond tau: the refuted part begins at a zero of the determinant.
+  void boundary(const Rational& low, const Rational& high, bool beyond_at_low, const Rational& tau, Cell& cell) {
+    const Rational& w = beyond_at_low ? low : high;
+    for (const auto& word : radius(w).cycles)
+      for (const long sign : {1L, -1L}) {
+        const Polynomial d = family_.determinant_beyond(word, sign, tau);
+        if (d.is_zero()) continue;
+        std::vector<RealAlgebraic> cuts;
+        zeros_inside(d, low, high, cuts);
+        sort_distinct(cuts);
+        if (cuts.empty()) continue;
+        RealAlgebraic cut = beyond_at_low ? cuts.front() : cuts.back();
+        cut.refine(resolution_ / Rational(1L << 20));
+        const Rational inner = cut.rational().value_or(beyond_at_low ? cut.lower() : cut.upper());
+        const Rational from = beyond_at_low ? low : inner;
+        const Rational to = beyond_at_low ? inner : high;
+        if (!(from < to) || sign_inside(d, from, to) >= 0) continue;
+        cell.claims.push_back(lower_claim(from, to, word, sign, tau));
+        if (beyond_at_low)
+          append(cell.refuted, {low, cut, true, true});
+        else
+          append(cell.refuted, {cut, high, true, true});
+        return;
+      }
+  }
+
+  Json lower_claim(const Rational& low, const Rational& high, const Word& word, long sign, const Rational& tau) const {
+    Json claim;
+    claim["claim"] = "jsr-lower-family";
+    claim["verdict"] = "proved";
+    claim["order"] = family_.order();
+    claim["parameter"] = Json::array({low.to_string(), high.to_string()});
+    claim["word"] = word;
+    claim["sign"] = sign;
+    claim["bound"] = tau.to_string();
+    claim["theorem"] = "spectral-radius";
+    return claim;
+  }
+
+  const AffineFamily& family_;
+  ParameterOptions options_;
+  Rational resolution_;
+  std::mutex mutex_;
+  std::map<Rational, JsrResult> cache_;
+};
+
+// The jobs by `threads` workers; each leaves no solver environment behind.
+void in_parallel(size_t jobs, int threads, const std::function<void(size_t)>& job) {
+  if (threads <= 1 || jobs <= 1) {
+    for (size_t i = 0; i < jobs; ++i) job(i);
+    return;
+  }
+  std::atomic<size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  std::vector<std::thread> workers;
+  for (int t = 0; t < threads; ++t)
+    workers.emplace_back([&] {
+      try {
+        for (size_t i = next++; i < jobs; i = next++) job(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        failure = std::current_exception();
+        next = jobs;
+      }
+      glp_free_env();
+      flint_cleanup();
+    });
+  for (auto& w : workers) w.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+// The largest interval found for which one polytope serves any sequence of w.
+std::optional<ParameterInterval> largest_joint(CellProver& prover, const std::vector<ParameterInterval>& proved,
+                                               const Rational& tau, const Rational& resolution, int threads,
+                                               std::vector<Json>& claims) {
+  struct Found {
+    Rational low;
+    Rational high;
+    std::optional<Json> claim;
+  };
+  Found best;
+  for (const auto& piece : proved) {
+    const Rational low = piece.from.upper();
+    const Rational high = piece.to.lower();
+    if (!(best.high - best.low < high - low)) continue;
+    // First both ends at once towards the ends of the piece, from several centres, then each end alone.
+    std::vector<Found> grown(5);
+    in_parallel(grown.size(), threads, [&](size_t k) {
+      const Rational centre = low + (high - low) * Rational(static_cast<long>(k) + 1, 6);
+      Rational inside = 0;
+      Rational outside = 1;
+      for (int step = 0; step < 7; ++step) {
+        const Rational t = middle(inside, outside);
+        const Rational l = centre - (centre - low) * t;
+        const Rational h = centre + (high - centre) * t;
+        if (auto claim = prover.joint(l, h, tau)) {
+          inside = t;
+          grown[k] = {l, h, std::move(claim)};
+        } else {
+          outside = t;
+        }
+      }
+    });
+    for (auto& g : grown)
+      if (g.claim && best.high - best.low < g.high - g.low) best = std::move(g);
+    if (!best.claim || best.low < low || best.high > high) continue;
+    for (const bool right : {true, false}) {
+      Rational outside = right ? high : low;
+      while (abs(outside - (right ? best.high : best.low)) > resolution) {
+        const Rational next = middle(right ? best.high : best.low, outside);
+        const Rational l = right ? best.low : next;
+        const Rational h = right ? next : best.high;
+        if (auto claim = prover.joint(l, h, tau))
+          best = {l, h, std::move(claim)};
+        else
+          outside = next;
+      }
+    }
+  }
+  if (!best.claim) return std::nullopt;
+  claims.push_back(std::move(*best.claim));
+  return ParameterInterval{best.low, best.high, true, true};
+}
+
+}  // namespace
+
+ParameterRange parameter_range(const Scheme& scheme, const std::string& name, const Rational& from, const Rational& to,
+                               const ParameterOptions& options) {
+  if (!(from < to)) bad_input("--over: the lower end is not below the upper end", name);
+  if (!is_stationary(scheme)) bad_input("--over: the scheme depends on the level", scheme.id);
+  const AffineFamily family(scheme, name);
+  ParameterRange result;
+  result.name = name;
+  result.from = from;
+  result.to = to;
+  result.order = family.order();
+  RegularityOptions sample_options = options.regularity;
+  sample_options.jsr.progress = nullptr;
+  sample_options.jsr.seconds = std::min(sample_options.jsr.seconds, 10.0);
+  const Rational step = (to - from) / Rational(static_cast<long>(options.samples) - 1);
+  for (long i = 0; i < options.samples; ++i) {
+    const Rational w = from + Rational(i) * step;
+    result.samples.emplace_back(w, regularity(with_values(scheme, {{name, w}}), sample_options));
+    result.samples.back().second.certificate.clear();
+  }
+  long most = -1;
+  for (const auto& [w, r] : result.samples) most = std::max(most, r.continuity);
+  most = std::min(most, family.order() - 1);
+
+  std::vector<Json> claims;
+  const auto central = nonnegative_range(family, from, to);
+  if (central) result.radius = central_ranges(family, central->first, central->second);
+  for (auto& r : polytope_ranges(family, from, to, central, options.regularity.jsr, claims))
+    result.radius.push_back(std::move(r));
+  std::sort(result.radius.begin(), result.radius.end(),
+            [](const auto& a, const auto& b) { return less(a.interval.from, b.interval.from); });
+
+  CellProver prover(family, options, (to - from) * options.resolution);
+  for (long l = 0; l <= most; ++l) {
+    const Rational tau = prover.threshold(l);
+    ContinuityRange range;
+    range.l = l;
+    std::vector<Rational> grid;
+    for (const auto& [w, r] : result.samples) grid.push_back(w);
+    std::vector<std::pair<Rational, Rational>> cells;
+    if (central) {
+      central_continuity(family, central->first, central->second, l, range, claims);
+      const Rational inner_low = central->first.rational().value_or(central->first.upper());
+      const Rational inner_high = central->second.rational().value_or(central->second.lower());
+      grid.push_back(inner_low);
+      grid.push_back(inner_high);
+      std::sort(grid.begin(), grid.end());
+      for (size_t i = 0; i + 1 < grid.size(); ++i)
+        if (grid[i] < grid[i + 1] && (grid[i + 1] <= inner_low || grid[i] >= inner_high))
+          cells.emplace_back(grid[i], grid[i + 1]);
+    } else {
+      for (size_t i = 0; i + 1 < grid.size(); ++i) cells.emplace_back(grid[i], grid[i + 1]);
+    }
+    std::vector<Cell> done(cells.size());
+    in_parallel(cells.size(), options.threads,
+                [&](size_t i) { prover.run(cells[i].first, cells[i].second, tau, done[i]); });
+    for (auto& cell : done) {
+      for (auto& i : cell.proved) range.proved.push_back(std::move(i));
+      for (auto& i : cell.refuted) range.refuted.push_back(std::move(i));
+      for (auto& c : cell.claims) claims.push_back(std::move(c));
+    }
+    tidy(range.proved);
+    tidy(range.refuted);
+    range.joint = largest_joint(prover, range.proved, tau, (to - from) * Rational(1, 4096), options.threads,
+                                claims);
+    if (options.regularity.jsr.progress) options.regularity.jsr.progress("C^" + std::to_string(l) + " done");
+    result.continuity.push_back(std::move(range));
+  }
+  if (!claims.empty()) result.certificate = certificate_text(scheme, mask_data(scheme), claims);
+  return result;
+}
+
+}  // namespace twoscale::analysis
