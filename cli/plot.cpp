@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// twoscale plot basic|curve|sweep|comb|curvature SCHEME [IN] -o FILE.{svg,pdf,png}
+// twoscale plot basic|curve|sweep|comb|curvature|spectrum SCHEME [IN] -o FILE.{svg,pdf,png}
 #include "twoscale/reports/plot.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "session.hpp"
+#include "spectrum.hpp"
+#include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/reports/curves.hpp"
@@ -191,9 +194,44 @@ Picture curvature_graph(const Scheme& s, const Options& o) {
   return p;
 }
 
+// The eigenvalues of the local matrix in the complex plane, and the circles of radius m^{-k} that they are compared
+// with.
+Picture spectrum(const Scheme& s, const Options& o) {
+  if (!o.input.empty()) bad_input("plot spectrum takes no points", o.input);
+  if (o.at.v0 || o.at.t) bad_input("plot spectrum: values are given with --at", o.at.v0 ? "--v0" : "--t");
+  const analysis::Spectrum spectrum = analysis::spectrum(chosen_mask(s, o.at).mask, s.arity);
+  Line values;
+  values.style = Line::Style::points;
+  values.colour = 1;
+  values.title = "eigenvalues";
+  for (const auto& e : spectrum.eigenvalues) {
+    if (!e.real) bad_input("plot spectrum: eigenvalues depend on parameters, give their values with --at", s.id);
+    values.values.insert(values.values.end(), {e.approximate[0], e.approximate[1]});
+  }
+  constexpr double least_radius = 0.02;  // of a circle that can be seen
+  constexpr int steps = 240;
+  Line circles;
+  circles.style = Line::Style::segments;
+  int last = 0;
+  for (double radius = 1; radius >= least_radius; radius /= s.arity, ++last)
+    for (int i = 0; i < 2 * steps; ++i) {
+      const double angle = 2 * std::numbers::pi * ((i + 1) / 2) / steps;
+      circles.values.insert(circles.values.end(), {radius * std::cos(angle), radius * std::sin(angle)});
+    }
+  circles.title = "circles " + std::to_string(s.arity) + "^-k, k = 0.." + std::to_string(last - 1);
+  Picture p;
+  p.title = s.id;
+  p.x_label = "real part";
+  p.y_label = "imaginary part";
+  p.width = 440;
+  p.height = 470;
+  p.lines = {circles, values};
+  return p;
+}
+
 Picture picture(const Options& o) {
-  if (o.kind == "spectrum") bad_input("plot spectrum is not available in this version", o.kind);
   const Scheme s = make_scheme(o.scheme);
+  if (o.kind == "spectrum") return spectrum(s, o);
   if (o.kind == "basic") return basic(s, o);
   if (o.kind == "curve") return curve(s, o);
   if (o.kind == "sweep") return sweep(s, o);
@@ -214,14 +252,15 @@ reports::ImageFormat format_of(const Common& common) {
 
 void add_plot_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();
-  CLI::App* c = add_command(app, session, "plot", "draw basic limit functions, curves, tension sweeps, curvature",
-                            {"svg", "pdf", "png"});
-  c->add_option("kind", o->kind, "basic, curve, sweep, comb or curvature")
+  CLI::App* c =
+      add_command(app, session, "plot", "draw basic limit functions, curves, tension sweeps, curvature, spectra",
+                  {"svg", "pdf", "png"});
+  c->add_option("kind", o->kind, "basic, curve, sweep, comb, curvature or spectrum")
       ->required()
       ->type_name("KIND")
       ->check(CLI::IsMember({"basic", "curve", "sweep", "comb", "curvature", "spectrum"}));
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
-  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input; not for basic")
+  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input; not for basic and spectrum")
       ->type_name("IN");
   add_values(c, o->at);
   c->add_option("--values", o->values, "sweep: values of v0, \"v1,v2,...\"")->type_name("LIST");

@@ -125,6 +125,7 @@ std::string look(const Line& l) {
     case Line::Style::reference: return "with lines lw 1.2 lc rgb '#dc2626'";
     case Line::Style::polygon: return "with linespoints lw 1.2 dt (7,5) pt 7 ps 0.45 lc rgb '#6b7280'";
     case Line::Style::segments: return fmt::format("with lines lw 0.7 lc rgb '{}'", colour);
+    case Line::Style::points: return fmt::format("with points pt 7 ps 0.5 lc rgb '{}'", colour);
   }
   return {};
 }

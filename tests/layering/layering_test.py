@@ -15,7 +15,8 @@ ROOT = os.environ.get("TWOSCALE_SOURCE_DIR") or os.path.dirname(os.path.dirname(
 ALGEBRA = ("ginac/", "cln/", "flint/", "arb", "acb", "arf.h", "mag.h", "fmpz", "fmpq", "gmp.h", "gmpxx.h", "mpfr.h")
 ROOMS = {
     "symbolic": ("symbolic", (), ALGEBRA + ("fmt/", "toml++/", "nlohmann/")),
-    "analysis": ("analysis", ("symbolic",), ("nlohmann/", "fmt/", "Eigen/", "glpk.h")),
+    "analysis": ("analysis", ("symbolic",),
+                 ("nlohmann/", "fmt/", "Eigen/", "glpk.h", "arb", "acb", "arf.h", "mag.h", "flint/", "fmpz", "fmpq")),
     "check": ("analysis/check", (), ("boost/multiprecision/",)),
     "kernels": ("numeric/kernels", (), ("nlohmann/", "hwy/", "tbb/", "oneapi/tbb/")),
     "lowering": ("numeric/lowering", ("symbolic", "kernels"), ("fmt/", "arb", "acb", "arf.h", "mag.h", "flint/", "fmpz", "fmpq")),

@@ -18,13 +18,14 @@ struct Line {
     reference,  // thin, red: the true curve
     polygon,    // dashed, with its vertices
     segments,   // points 2i and 2i+1 joined, nothing else
+    points,     // not joined
   };
   std::vector<double> values;
   std::size_t dim = 2;
   Style style = Style::curve;
   bool closed = false;
   std::string title;  // in the legend; empty: not there
-  int colour = 0;     // of a fixed palette, modulo its size (curve, segments)
+  int colour = 0;     // of a fixed palette, modulo its size (curve, segments, points)
 };
 
 struct Picture {

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// twoscale spectrum SCHEME [--at NAME=VALUE,...]: local subdivision matrix, eigenvalues, eigenvectors, limit stencils.
+#include "spectrum.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "twoscale/analysis/spectrum.hpp"
+#include "twoscale/symbolic/ball.hpp"
+#include "twoscale/symbolic/catalog.hpp"
+#include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/expression.hpp"
+
+namespace twoscale::cli {
+
+namespace {
+
+using analysis::Eigenvalue;
+using analysis::NecessaryConditions;
+using analysis::SpectralFactor;
+using analysis::Spectrum;
+using Json = nlohmann::ordered_json;
+
+Rational rational_value(const std::string& name, const std::string& text) {
+  try {
+    if (const auto value = parse_rational_function(text).constant()) return *value;
+  } catch (const Error& e) {
+    if (e.kind != Error::Kind::bad_input) throw;
+  }
+  bad_input("--at: the value of " + name + " must be a rational number", text);
+}
+
+// A rational that is a decimal as such, unless it is very large.
+std::string exact_decimal(const Rational& x) {
+  return abs(x) < Rational(10).pow(20) ? rounded_decimal(x, 1000) : x.to_string();
+}
+
+std::string polynomial_of(const Spectrum& s, const Eigenvalue& e) {
+  return analysis::polynomial_text(s.factors[e.factor].polynomial, s.variable);
+}
+
+Json exact_json(const Spectrum& s, const Eigenvalue& e) {
+  if (!e.exact.empty()) return e.exact;
+  Json j = Json::object({{"polynomial", polynomial_of(s, e)}});
+  if (!e.real) return j;
+  const auto interval = [](const std::array<Rational, 2>& x) {
+    return Json::array({exact_decimal(x[0]), exact_decimal(x[1])});
+  };
+  if ((*e.imaginary)[0].is_zero() && (*e.imaginary)[1].is_zero()) {
+    j["interval"] = interval(*e.real);
+  } else {
+    j["real"] = interval(*e.real);
+    j["imaginary"] = interval(*e.imaginary);
+  }
+  return j;
+}
+
+Json vectors_json(const Spectrum& s, const std::vector<analysis::Eigenvector>& basis) {
+  Json list = Json::array();
+  for (const auto& vector : basis) {
+    Json entries = Json::array();
+    for (const auto& entry : vector) entries.push_back(analysis::polynomial_text(entry, s.variable));
+    list.push_back(std::move(entries));
+  }
+  return list;
+}
+
+constexpr const char* hypothesis =
+    "stationary scheme, integer translates of the basic limit function locally linearly independent";
+
+const char* verdict_of(const NecessaryConditions& n) {
+  switch (n.kind) {
+    case NecessaryConditions::Kind::decided: return "decided";
+    case NecessaryConditions::Kind::conditional: return "conditional";
+    case NecessaryConditions::Kind::undecided: return "undecided";
+  }
+  return "";
+}
+
+std::string to_json(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
+  Json j;
+  j["format"] = "twoscale/spectrum";
+  j["version"] = 1;
+  j["scheme"] = scheme.id;
+  j["arity"] = scheme.arity;
+  j["p"] = scheme.shift.to_string();
+  j["mask"] = chosen.limit || is_stationary(scheme) ? "limit" : "level";
+  Json parameters = Json::object();
+  for (const auto& [name, value] : chosen.values) parameters[name] = value.to_string();
+  j["parameters"] = parameters;
+  j["lowest"] = s.matrix.lowest;
+  Json matrix = Json::array();
+  for (std::size_t r = 0; r < s.matrix.entries.rows(); ++r) {
+    Json row = Json::array();
+    for (std::size_t c = 0; c < s.matrix.entries.columns(); ++c) row.push_back(s.matrix.entries(r, c).to_string());
+    matrix.push_back(std::move(row));
+  }
+  j["matrix"] = matrix;
+  Json factors = Json::array();
+  for (const auto& f : s.factors)
+    factors.push_back(Json::array({analysis::polynomial_text(f.polynomial, s.variable), f.multiplicity}));
+  j["characteristic_polynomial"] = Json::object({{"variable", s.variable}, {"factors", factors}});
+  std::vector<Json> left, right;
+  for (const auto& f : s.factors) {
+    left.push_back(vectors_json(s, f.left));
+    right.push_back(vectors_json(s, f.right));
+  }
+  Json eigenvalues = Json::array();
+  for (const auto& e : s.eigenvalues) {
+    const SpectralFactor& f = s.factors[e.factor];
+    Json k;
+    k["exact"] = exact_json(s, e);
+    k["multiplicity"] = f.multiplicity;
+    k["geometric"] = f.geometric;
+    k["decimal"] = e.decimal.empty() ? Json() : Json(e.decimal);
+    if (e.roots > 1) k["roots"] = e.roots;
+    // Entries of the eigenvectors are polynomials in the variable, which stands for the eigenvalue.
+    if (f.degree() > 1) k["modulo"] = polynomial_of(s, e);
+    k["left"] = left[e.factor];
+    k["right"] = right[e.factor];
+    eigenvalues.push_back(std::move(k));
+  }
+  j["eigenvalues"] = eigenvalues;
+  Json stencils = Json::array();
+  for (const auto& l : s.stencils) {
+    Json c = Json::array();
+    for (const auto& x : l.coefficients) c.push_back(x.to_string());
+    stencils.push_back(Json::object({{"derivative", l.derivative},
+                                     {"lowest", l.lowest},
+                                     {"coefficients", c},
+                                     {"polynomials_only", static_cast<long>(l.derivative) > s.necessary.order}}));
+  }
+  j["limit_stencils"] = stencils;
+  const NecessaryConditions& n = s.necessary;
+  j["necessary"] = Json::object({{"verdict", verdict_of(n)},
+                                 {"continuity", n.order},
+                                 {"obstruction", n.obstruction},
+                                 {"conditions", n.conditions},
+                                 {"hypothesis", hypothesis}});
+  return j.dump(1);
+}
+
+// Columns of equal width, the text at their right or left.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, const std::string& indent, bool right) {
+  std::vector<std::size_t> width(rows.empty() ? 0 : rows[0].size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line = indent;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string blanks(width[c] - row[c].size(), ' ');
+      line += (c == 0 ? "" : "  ") + (right ? blanks + row[c] : row[c] + blanks);
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+std::string vector_text(const Spectrum& s, const analysis::Eigenvector& v) {
+  std::string text;
+  for (const auto& entry : v) text += (text.empty() ? "" : ", ") + analysis::polynomial_text(entry, s.variable);
+  return "(" + text + ")";
+}
+
+std::string necessary_text(const NecessaryConditions& n) {
+  std::string text = "necessary  ";
+  const bool conditional = n.kind == NecessaryConditions::Kind::conditional;
+  if (n.order < 0) return text + "the conditions for continuity fail: " + n.obstruction + "\n";
+  text += "the conditions for C^" + std::to_string(n.order) + (conditional ? " hold if" : " hold");
+  for (std::size_t i = 0; i < n.conditions.size(); ++i) text += (i == 0 ? " " : " and ") + n.conditions[i];
+  return text + "\n           not C^" + std::to_string(n.order + 1) + (conditional ? " in general: " : ": ") +
+         n.obstruction + "\n           (" + hypothesis + ")\n";
+}
+
+std::string to_text(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
+  const auto size = static_cast<long>(s.matrix.entries.rows());
+  std::string out = scheme.id + ": local subdivision matrix of the " +
+                    (is_stationary(scheme) ? "mask"
+                     : chosen.limit        ? "limit mask"
+                                           : "mask of a level");
+  for (const auto& [name, value] : chosen.values) out += ", " + name + " = " + value.to_string();
+  out += "\nindices    " + std::to_string(s.matrix.lowest) + ".." + std::to_string(s.matrix.lowest + size - 1) +
+         ", p = " + scheme.shift.to_string() + "\n";
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t r = 0; r < s.matrix.entries.rows(); ++r) {
+    rows.emplace_back();
+    for (std::size_t c = 0; c < s.matrix.entries.columns(); ++c)
+      rows.back().push_back(s.matrix.entries(r, c).to_string());
+  }
+  out += aligned(rows, "  ", true) + "\ncharacteristic polynomial";
+  const auto name_of_factor = [](std::size_t i) { return "p" + std::to_string(i + 1); };
+  for (std::size_t i = 0; i < s.factors.size(); ++i)
+    out += (i == 0 ? " " : "*") + name_of_factor(i) +
+           (s.factors[i].multiplicity > 1 ? "^" + std::to_string(s.factors[i].multiplicity) : "");
+  out += "\n";
+  for (std::size_t i = 0; i < s.factors.size(); ++i)
+    out += "  " + name_of_factor(i) + " = " + analysis::polynomial_text(s.factors[i].polynomial, s.variable) + "\n";
+  rows = {{"eigenvalue", "decimal", "multiplicity", "geometric"}};
+  for (const auto& e : s.eigenvalues) {
+    const SpectralFactor& f = s.factors[e.factor];
+    const std::string root = (e.roots > 1 ? "roots of " : "root of ") + name_of_factor(e.factor);
+    rows.push_back({"  " + (e.exact.empty() ? root : e.exact), e.decimal, std::to_string(f.multiplicity),
+                    std::to_string(f.geometric)});
+  }
+  out += "\n" + aligned(rows, "", false) + "\neigenvectors\n";
+  for (std::size_t i = 0; i < s.factors.size(); ++i) {
+    const SpectralFactor& f = s.factors[i];
+    out += "  " + (f.degree() == 1 ? (-f.polynomial[0]).to_string() : s.variable + ", a root of " + name_of_factor(i)) +
+           "\n";
+    for (const auto& v : f.left) out += "    left  " + vector_text(s, v) + "\n";
+    for (const auto& v : f.right) out += "    right " + vector_text(s, v) + "\n";
+  }
+  if (!s.stencils.empty()) out += "\nlimit stencils at t = 0\n";
+  for (const auto& l : s.stencils) {
+    out += l.derivative == 0 ? "  value       " : "  derivative " + std::to_string(l.derivative);
+    for (std::size_t i = 0; i < l.coefficients.size(); ++i) {
+      if (l.coefficients[i].is_zero()) continue;
+      out += "  [" + l.coefficients[i].to_string() + "] f_" + std::to_string(l.lowest + static_cast<long>(i));
+    }
+    out += static_cast<long>(l.derivative) > s.necessary.order ? "  (for polynomial data)\n" : "\n";
+  }
+  return out + "\n" + necessary_text(s.necessary);
+}
+
+}  // namespace
+
+ChosenMask chosen_mask(const Scheme& scheme, const Values& at) {
+  ChosenMask r;
+  if (at.at.empty()) {
+    const auto limit = limit_symbol(scheme);
+    if (!limit)
+      bad_input("the masks have no limit (a pole where the level variables are 1), give --at NAME=VALUE", scheme.id);
+    r.mask = *limit;
+    return r;
+  }
+  r.limit = false;
+  r.mask = symbol(scheme);
+  std::vector<std::string> names = r.mask.variables();
+  for (const auto& p : scheme.parameters) names.push_back(p.name);
+  for (const auto& [name, text] : at.named()) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      std::string known;
+      std::sort(names.begin(), names.end());
+      names.erase(std::unique(names.begin(), names.end()), names.end());
+      for (const auto& n : names) known += (known.empty() ? "" : ", ") + n;
+      bad_input("--at: the mask of " + scheme.id + " has no variable of this name (it has " +
+                    (known.empty() ? "none" : known) + ")",
+                name);
+    }
+    if (std::any_of(r.values.begin(), r.values.end(), [&, &given = name](const auto& v) { return v.first == given; }))
+      bad_input("--at: a value is given twice", name);
+    const Rational value = rational_value(name, text);
+    for (const auto& c : r.mask.coefficients())
+      for (const auto& [f, e] : c.denominator_factors())
+        if (RationalFunction(f).substitute(name, value).is_zero())
+          bad_input("--at: the mask has a pole there", name + "=" + text);
+    r.mask = r.mask.substitute(name, value);
+    r.values.emplace_back(name, value);
+  }
+  return r;
+}
+
+void add_spectrum_command(CLI::App& app, Session& session) {
+  auto name = std::make_shared<std::string>();
+  auto values = std::make_shared<Values>();
+  CLI::App* c = add_command(app, session, "spectrum",
+                            "exact local subdivision matrix, eigenvalues, eigenvectors, limit stencils");
+  c->add_option("scheme", *name, "scheme name")->required()->type_name("SCHEME");
+  c->add_option("--at", values->at,
+                "rational values of variables of the mask instead of the limit mask, the others stay (\"\": all)")
+      ->type_name("NAME=VALUE")
+      ->take_all();
+  c->callback([&session, name, values] {
+    session.action = [&session, name, values] {
+      const Scheme scheme = make_scheme(*name);
+      const ChosenMask chosen = chosen_mask(scheme, *values);
+      const Spectrum s = analysis::spectrum(chosen.mask, scheme.arity);
+      deliver(session.common,
+              session.common.format == "json" ? to_json(scheme, chosen, s) : to_text(scheme, chosen, s));
+      return 0;
+    };
+  });
+}
+
+}  // namespace twoscale::cli
