@@ -17,6 +17,13 @@ std::string fnv1a64(const std::string& text) {
   return s;
 }
 
+std::string sealed(nlohmann::ordered_json doc) {
+  doc["digest"] = "";
+  const std::string digest = fnv1a64(doc.dump(1) + "\n");
+  doc["digest"] = "fnv1a64:" + digest;
+  return doc.dump(1) + "\n";
+}
+
 }  // namespace
 
 std::string certificate_text(const Scheme& scheme, const MaskData& mask,
@@ -40,10 +47,16 @@ std::string certificate_text(const Scheme& scheme, const MaskData& mask,
   doc["mask"] = Json::object(
       {{"lowest", mask.lowest}, {"numerators", numerators}, {"denominator", mask.denominator.to_string()}});
   doc["claims"] = claims;
-  doc["digest"] = "";
-  const std::string digest = fnv1a64(doc.dump(1) + "\n");
-  doc["digest"] = "fnv1a64:" + digest;
-  return doc.dump(1) + "\n";
+  return sealed(std::move(doc));
+}
+
+std::string certificate_text(const std::string& label, const std::vector<nlohmann::ordered_json>& claims) {
+  nlohmann::ordered_json doc;
+  doc["format"] = "twoscale/certificate";
+  doc["version"] = 1;
+  doc["scheme"] = label;
+  doc["claims"] = claims;
+  return sealed(std::move(doc));
 }
 
 }  // namespace twoscale::analysis

@@ -24,4 +24,8 @@ struct MaskData {
 std::string certificate_text(const Scheme& scheme, const MaskData& mask,
                              const std::vector<nlohmann::ordered_json>& claims);
 
+// The same without a mask: claims that state themselves what they are about (positivity, root-bound); `label` is free
+// text.
+std::string certificate_text(const std::string& label, const std::vector<nlohmann::ordered_json>& claims);
+
 }  // namespace twoscale::analysis
