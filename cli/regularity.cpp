@@ -324,7 +324,7 @@ void write_certificate(const std::string& file, const std::string& text) {
 int run_matrices(const Session& session, const Options& o) {
   const analysis::Family family = read_matrices(o.matrices);
   const JsrResult r = analysis::joint_spectral_radius(family, {}, search_options(session, o));
-  write_certificate(o.certificate, analysis::matrices_certificate_text(o.matrices, family, r.claims));
+  write_certificate(o.certificate, analysis::certificate_text(o.matrices, family, r.claims));
   if (session.common.format == "json") {
     Json j = document(o.matrices);
     j["jsr"] = jsr_json(r);

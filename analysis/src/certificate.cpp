@@ -49,8 +49,8 @@ MaskData mask_data(const Scheme& scheme) {
   return data;
 }
 
-std::string matrices_certificate_text(const std::string& label, const std::vector<RationalMatrix>& matrices,
-                                      const std::vector<nlohmann::ordered_json>& claims) {
+std::string certificate_text(const std::string& label, const std::vector<RationalMatrix>& matrices,
+                             const std::vector<nlohmann::ordered_json>& claims) {
   nlohmann::ordered_json doc = opening(label);
   doc["matrices"] = nlohmann::ordered_json::array();
   for (const auto& b : matrices) {
@@ -83,6 +83,10 @@ std::string certificate_text(const Scheme& scheme, const MaskData& mask,
   doc["mask"] = Json::object(
       {{"lowest", mask.lowest}, {"numerators", numerators}, {"denominator", mask.denominator.to_string()}});
   return sealed(std::move(doc), claims);
+}
+
+std::string certificate_text(const std::string& label, const std::vector<nlohmann::ordered_json>& claims) {
+  return sealed(opening(label), claims);
 }
 
 }  // namespace twoscale::analysis

@@ -110,6 +110,8 @@ Certificate read_certificate(Fields& fields, Meter& meter) {
   }
   fields.take_integer("version", 1, 1);
   certificate.scheme = label(fields, "scheme");
+  certificate.has_mask = !fields.next_is("claims");
+  if (!certificate.has_mask) return certificate;
   certificate.arity = static_cast<int>(fields.take_integer("arity", 2, 64));
   read_variables(fields, certificate);
   certificate.shift = parse_small_fraction(fields.take_string("shift"), "shift", meter);

@@ -16,9 +16,10 @@ namespace {
 struct Kind {
   std::string_view name;
   Finding (*check)(const Context&, Fields&, bool);
+  bool needs_mask = true;
 };
 
-constexpr std::array<Kind, 7> kinds{{
+constexpr std::array<Kind, 9> kinds{{
     {"interpolatory", check_interpolatory},
     {"symmetric", check_symmetric},
     {"sum-rules", check_sum_rules},
@@ -26,10 +27,14 @@ constexpr std::array<Kind, 7> kinds{{
     {"reproduces", check_reproduces},
     {"maximal", check_maximal},
     {"well-defined", check_well_defined},
+    {"positivity", check_positivity, false},
+    {"root-bound", check_root_bound, false},
 }};
 
 /// The key a claim of this kind must name.
-std::string_view required_theorem(std::string_view claim, const Certificate& certificate) {
+std::string_view required_theorem(std::string_view claim, const Value& value, const Certificate& certificate) {
+  if (claim == "positivity") return positivity_theorem(value);
+  if (claim == "root-bound") return "schur-cohn";
   if (claim == "generates") return "generation-stepwise";
   if (claim == "reproduces") return "reproduction-stepwise";
   if (claim == "maximal") return "hurwitz-count";
@@ -86,15 +91,18 @@ void check_claim(const Value& value, std::size_t number, const Context& context,
   const std::string& name = fields.take_string("claim");
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == name; });
   if (kind == kinds.end()) throw Malformed(fields.path("claim") + ": unknown claim \"" + name.substr(0, 40) + "\"");
+  if (kind->needs_mask && !context.certificate.has_mask) {
+    throw Malformed(fields.path("claim") + ": \"" + name + "\" needs a mask");
+  }
   const std::string& verdict = fields.take_string("verdict");
   if (verdict != "proved" && verdict != "refuted") {
     throw Malformed(fields.path("verdict") + ": \"proved\" or \"refuted\" is expected");
   }
   if (value.keys.back() != "theorem") throw Malformed(where + ".theorem: expected as the last member");
   const std::string& key = as_string(value.items.back(), where + ".theorem");
-  if (key != required_theorem(name, context.certificate)) {
-    throw Malformed(where + ".theorem: \"" + std::string(required_theorem(name, context.certificate)) +
-                    "\" is expected");
+  const std::string_view required = required_theorem(name, value, context.certificate);
+  if (key != required) {
+    throw Malformed(where + ".theorem: \"" + std::string(required) + "\" is expected");
   }
   try {
     const Finding finding = kind->check(context, fields, verdict == "proved");
@@ -130,9 +138,9 @@ void check_document(std::string_view text, Report& report, Meter& meter) {
   if (claims.size() > limits::list_items) throw Malformed("claims: more than 4096");
 
   report.status = Report::valid;
-  report.lines.push_back("the label \"" + certificate.scheme +
-                         "\" is not checked: the claims are about the mask in this file, whatever its name");
-  report.lines.push_back(head_line(certificate));
+  report.lines.push_back("the label \"" + certificate.scheme + "\" is not checked: the claims are about " +
+                         (certificate.has_mask ? "the mask in this file" : "what they state") + ", whatever its name");
+  if (certificate.has_mask) report.lines.push_back(head_line(certificate));
   Identities identities(certificate, meter);
   const Context context{certificate, identities, meter};
   Trusted trusted;

@@ -8,11 +8,12 @@
 namespace twoscale::check {
 namespace {
 
-constexpr std::array<Theorem, 6> list{{
+constexpr std::array<Theorem, 8> list{{
     {"definition", "nothing beyond the definition",
      "The property is, by definition, the identity that was verified (interpolatory: a_{mj} = 1 for j = 0, else 0; "
      "symmetric about c: a_{2c-i} = a_i; sum rules of order N: for r < N the sums of i^r a_i over i = s mod m do not "
-     "depend on s). An identity between rational functions is refuted by one point where it fails."},
+     "depend on s). An identity between rational functions is refuted by one point where it fails, an inequality "
+     "by one value."},
     {"generation-stepwise", "Conti-Romani 2011 (binary); Conti-Hormann 2011 (any arity, polynomials)",
      "Let z = exp(-theta/m^{k+1}). The sums of i^r a_i z^i over i = s mod m do not depend on s for every r < mu if "
      "and only if a(x) = sum a_i x^i vanishes to order mu at x = eps*z for every eps with eps^m = 1, eps != 1. Then "
@@ -42,6 +43,19 @@ constexpr std::array<Theorem, 6> list{{
     {"positive-coefficients", "elementary",
      "A polynomial that is not 0 and has no negative (or no positive) coefficient has no zero where all its variables"
      " are positive. The level variables are positive: v > cos(pi/m^{k+1}) >= 0 at the step k -> k+1."},
+    {"bernstein", "elementary; Bernstein's basis is nonnegative",
+     "Put x = (low*u + high*t)/(u + t), on a half-line x = low + t/u, for each variable, with u, t >= 0, and clear "
+     "u + t or u. If the form in the pairs (u, t) has no negative coefficient, the polynomial is not negative on the "
+     "box. It is positive inside a face of the box, of any dimension, if some coefficient is positive among those that "
+     "belong to t^0 in the variables that are low there, and to u^0 in those that are high. A box is the union of the "
+     "leaves of a tree of bisections. The coefficients of a multi-affine polynomial are its values at the vertices."},
+    {"schur-cohn",
+     "Schur 1917; Cohn 1922; Jury 1964; Lienard-Chipart 1914 (Gantmacher, The Theory of Matrices, ch. XV)",
+     "The n roots of a(x) = a_0 + ... + a_n x^n, real, a_n != 0, n > 0, lie in |x| < 1 if and only if |a_0| < |a_n| and"
+     " those of (a_n a(x) - a_0 x^n a(1/x))/x, of degree n-1, do. For a_n > 0 this means: n = 1: a_1 > |a_0|; n = 2: "
+     "a_2 > a_0, a_2 + a_0 > |a_1|; n = 3: a(1) > 0, a(-1) < 0, a_3 > |a_0|, a_3^2 - a_0^2 > |a_3 a_1 - a_2 a_0|. With "
+     "x = (u+1)/(u-1) they lie in Re u < 0; for a(1) > 0 this holds if and only if all coefficients of (u-1)^n a(x) as "
+     "a polynomial in u and its Hurwitz determinants of orders n-1, n-3, ... are positive."},
 }};
 
 }  // namespace

@@ -29,7 +29,10 @@ std::string certificate_text(const Scheme& scheme, const MaskData& mask,
                              const std::vector<nlohmann::ordered_json>& claims);
 
 // The same for claims about given matrices instead of a mask.
-std::string matrices_certificate_text(const std::string& label, const std::vector<RationalMatrix>& matrices,
-                                      const std::vector<nlohmann::ordered_json>& claims);
+std::string certificate_text(const std::string& label, const std::vector<RationalMatrix>& matrices,
+                             const std::vector<nlohmann::ordered_json>& claims);
+// The same without a mask: claims that state themselves what they are about (positivity, root-bound); `label` is free
+// text.
+std::string certificate_text(const std::string& label, const std::vector<nlohmann::ordered_json>& claims);
 
 }  // namespace twoscale::analysis

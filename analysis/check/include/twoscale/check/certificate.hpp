@@ -23,6 +23,7 @@ struct Mask {
 
 struct Certificate {
   std::string scheme;              ///< a label, not checked
+  bool has_mask = true;            ///< false: the claims state themselves what they are about; nothing below is set
   int arity = 2;                   ///< m
   std::vector<std::string> names;  ///< of the variables, sorted
   std::vector<std::size_t> level;  ///< indices of the level variables

@@ -34,6 +34,11 @@ Finding check_generates(const Context& context, Fields& fields, bool proved);
 Finding check_reproduces(const Context& context, Fields& fields, bool proved);
 Finding check_maximal(const Context& context, Fields& fields, bool proved);
 Finding check_well_defined(const Context& context, Fields& fields, bool proved);
+Finding check_positivity(const Context& context, Fields& fields, bool proved);
+Finding check_root_bound(const Context& context, Fields& fields, bool proved);
+
+/// The theorem that a claim `positivity` must name: by its method, or by its witness.
+std::string_view positivity_theorem(const Value& claim);
 
 /// A witness against generation: at the point the sums of i^power a_i z^i over two residue classes have the two values,
 /// and these differ. Throws Malformed or Refused.

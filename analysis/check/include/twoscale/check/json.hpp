@@ -35,6 +35,8 @@ class Fields {
   Fields(const Value& object, std::string where);
   /// The next member, which must be called `key`.
   const Value& take(std::string_view key);
+  /// Is this the key of the next member?
+  bool next_is(std::string_view key) const { return next_ < object_.keys.size() && object_.keys[next_] == key; }
   /// Every member has been taken.
   void done() const;
   std::string path(std::string_view key) const;

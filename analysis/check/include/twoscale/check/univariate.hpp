@@ -32,6 +32,8 @@ class SturmChain {
   SturmChain(const Dense& p, Meter& meter);
   /// Number of distinct zeros of p in (a/b, infinity); b > 0; p(a/b) is not 0.
   int zeros_beyond(const Integer& a, const Integer& b, Meter& meter) const;
+  /// gcd(p, p') up to a constant.
+  const Dense& last() const { return chain_.back(); }
 
  private:
   std::vector<Dense> chain_;
