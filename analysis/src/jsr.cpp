@@ -405,7 +405,23 @@ struct ExactVertices {
 struct ExactOutcome {
   std::optional<Json> block;
   std::optional<Word> better;
+  PolytopeShape shape;
 };
+
+PolytopeShape shape_of(const std::vector<ExactCycle>& cycles, const Polytope& p, const std::vector<size_t>& inner) {
+  PolytopeShape shape;
+  for (const auto& c : cycles) {
+    shape.words.push_back(c.word);
+    shape.signs.push_back(c.sign);
+  }
+  shape.tree = p.tree;
+  shape.inner = inner;
+  for (const auto& image : p.images) {
+    shape.images.push_back({image.vertex, image.matrix, image.equals, {}});
+    for (const auto& [j, c] : image.coefficients) shape.images.back().support.push_back(j);
+  }
+  return shape;
+}
 
 ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle>& cycles, const RealAlgebraic& rho,
                                const JsrOptions& options, const Deadline& deadline) {
@@ -467,7 +483,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
   }
 
   const Polytope p = estimate_polytope(normalised, roots, 0, options.vertices, deadline);
-  if (p.better) return {std::nullopt, p.better};
+  if (p.better) return {std::nullopt, p.better, {}};
   if (!p.closed) return {};
   const std::vector<size_t> inner = estimate_spanning(p.vertices, d);
   if (inner.empty()) return {};
@@ -483,6 +499,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
   };
 
   Json images = Json::array();
+  PolytopeShape shape = shape_of(cycles, p, inner);
   if (rational) {
     std::vector<std::vector<Rational>> x;
     const Rational inverse_radius = rho.rational()->inverse();
@@ -495,6 +512,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
       }
       x.push_back(std::move(v));
     }
+    shape.roots.assign(x.begin(), x.begin() + static_cast<long>(p.roots));
     std::vector<std::vector<Rational>> columns;
     for (const size_t i : inner) columns.push_back(x[i]);
     const auto inverse = RationalMatrix::from_columns(d, columns).inverse();
@@ -578,7 +596,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     const int sign = cycles[i].sign;
     root_list.push_back(root_json(cycles[i].word, sign, scales[i], entries));
   }
-  return {block_json(d, "", root_list, p.tree, inner, images), std::nullopt};
+  return {block_json(d, "", root_list, p.tree, inner, images), std::nullopt, std::move(shape)};
 }
 
 std::optional<ExactCycle> exact_cycle(const Family& block, const Word& word) {
@@ -693,6 +711,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
         rho = exact.front().radius;
         for (const auto& c : exact) result.cycles.push_back(c.word);
         blocks[b] = *outcome.block;
+        if (form.blocks.size() == 1) result.shape = std::move(outcome.shape);
         done = true;
         ++attained;
       } else if (outcome.better) {

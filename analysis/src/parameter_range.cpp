@@ -22,24 +22,6 @@ namespace {
 
 Rational middle(const Rational& a, const Rational& b) { return (a + b) / Rational(2); }
 
-// A short rational strictly between two real numbers, a < b.
-Rational between(const RealAlgebraic& a, const RealAlgebraic& b) {
-  RealAlgebraic low = a;
-  RealAlgebraic high = b;
-  while (!(low.upper() < high.lower())) {
-    low.refine((low.upper() - low.lower()) / Rational(16));
-    high.refine((high.upper() - high.lower()) / Rational(16));
-  }
-  // The dyadic number with the smallest denominator.
-  for (Rational unit = 1;; unit /= Rational(2)) {
-    const Rational steps = low.upper() / unit;
-    Rational floor;
-    fmpz_fdiv_q(fmpq_numref(floor.raw()), steps.numerator(), steps.denominator());
-    const Rational candidate = (floor + Rational(1)) * unit;
-    if (candidate < high.lower()) return candidate;
-  }
-}
-
 bool less(const RealAlgebraic& a, const RealAlgebraic& b) { return RealAlgebraic::compare(a, b) < 0; }
 
 // Zeros of p inside (a, b), appended.
@@ -102,7 +84,7 @@ std::optional<std::pair<RealAlgebraic, RealAlgebraic>> nonnegative_range(const A
   sort_distinct(cuts);
   std::optional<std::pair<RealAlgebraic, RealAlgebraic>> range;
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const Polynomial at = at_value(p, family.name(), between(cuts[i], cuts[i + 1]));
+    const Polynomial at = at_value(p, family.name(), rational_between(cuts[i], cuts[i + 1]));
     if (at.is_zero() || !nonnegative_on_circle(at)) continue;
     if (!range) range.emplace(cuts[i], cuts[i + 1]);
     range->second = cuts[i + 1];
@@ -127,7 +109,7 @@ std::vector<RadiusRange> central_ranges(const AffineFamily& family, const RealAl
   sort_distinct(cuts);
   std::vector<RadiusRange> list;
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const Rational w = between(cuts[i], cuts[i + 1]);
+    const Rational w = rational_between(cuts[i], cuts[i + 1]);
     const RealAlgebraic rho = central_at(family, w);
     for (const auto& factor : factors) {
       const Polynomial at = at_value(factor, family.name(), w);
@@ -160,7 +142,7 @@ void central_continuity(const AffineFamily& family, const RealAlgebraic& from, c
     return true;
   };
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const Rational w = between(cuts[i], cuts[i + 1]);
+    const Rational w = rational_between(cuts[i], cuts[i + 1]);
     const bool below = RealAlgebraic::compare(central_at(family, w), tau) < 0;
     ParameterInterval interval{cuts[i], cuts[i + 1], true, true};
     if (below) {

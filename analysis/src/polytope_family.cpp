@@ -1,12 +1,432 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Closed forms of rho(w): the polytope found at one parameter value is followed as a function of the parameter.
+//
+// All numbers of an invariant polytope whose radius is rational are rational functions of the parameter once its words,
+// tree and supports are fixed. Each inclusion sum |c_j(u)| <= 1 is a set of inequalities between rational functions; the
+// polytope serves on the whole interval around the sample on which none of them changes sign, the ends included because
+// the joint spectral radius is continuous. Where rho(w) is quadratic over Q(w) and the curve is a conic with a rational
+// point, w = phi(u) makes rho rational.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
 #include "affine_family.hpp"
+#include "twoscale/analysis/matrix.hpp"
 
 namespace twoscale::analysis {
 
-std::vector<RadiusRange> polytope_ranges(const AffineFamily&, const Rational&, const Rational&,
-                                         const std::optional<std::pair<RealAlgebraic, RealAlgebraic>>&,
-                                         const JsrOptions&, std::vector<nlohmann::ordered_json>&) {
-  return {};
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// w = phi(u), rho = psi(u).
+struct Parametrization {
+  RationalFunction w;
+  RationalFunction rho;
+  double sample = 0;  // u there
+};
+
+constexpr const char* parameter = "u";
+
+double estimate(const Rational& r) { return fmpq_get_d(r.raw()); }
+
+std::vector<Polynomial> coefficients_of(const Polynomial& f, long degree) {
+  std::vector<Polynomial> list;
+  Polynomial rest = f;
+  for (long i = 0; i <= degree; ++i) {
+    list.push_back(rest.substitute("x", 0));
+    rest = Polynomial::exact_quotient(rest - list.back(), Polynomial::variable("x"));
+  }
+  return list;
+}
+
+std::optional<Rational> square_root(const Rational& r) {
+  if (r.sign() < 0 || fmpz_is_square(r.numerator()) == 0 || fmpz_is_square(r.denominator()) == 0) return std::nullopt;
+  Rational root;
+  fmpz_sqrt(fmpq_numref(root.raw()), r.numerator());
+  fmpz_sqrt(fmpq_denref(root.raw()), r.denominator());
+  return root;
+}
+
+// d = s^2 inside, inside of degree at most 2 without square factors; nullopt for others.
+struct Conic {
+  RationalFunction square;
+  Polynomial inside;
+};
+std::optional<Conic> conic(const Polynomial& d, const std::string& name) {
+  const auto [content, factors] = d.factor();
+  Conic c{1, Polynomial::constant(content.numerator())};
+  for (const auto& [factor, exponent] : factors) {
+    c.square *= RationalFunction(factor.pow(exponent / 2));
+    if (exponent % 2 == 1) c.inside *= factor;
+  }
+  if (!content.is_integer() || c.inside.degree(name) > 2) return std::nullopt;
+  return c;
+}
+
+// The curve F(w, x) = 0 near (w0, rho0) by rational functions.
+std::optional<Parametrization> parametrized(const Polynomial& f, const std::string& name, const Rational& w0,
+                                            double rho0) {
+  const RationalFunction u = RationalFunction::variable(parameter);
+  const long degree = f.degree("x");
+  if (degree == 1) {
+    const auto c = coefficients_of(f, 1);
+    const RationalFunction rho = -RationalFunction(c[0]) / RationalFunction(c[1]);
+    return Parametrization{u, rho.substitute(name, u), estimate(w0)};
+  }
+  if (degree != 2) return std::nullopt;
+  const auto c = coefficients_of(f, 2);
+  const auto curve = conic(c[1] * c[1] - Polynomial(4) * c[2] * c[0], name);
+  if (!curve) return std::nullopt;
+  const auto value = [&](const Polynomial& p, const Rational& at) { return p.evaluate({{name, at}}); };
+  // A rational point (w, y), y^2 = inside(w).
+  std::vector<Rational> tries;
+  if (!curve->inside.is_constant())
+    for (const auto& zero : RealAlgebraic::zeros(curve->inside))
+      if (zero.rational()) tries.push_back(*zero.rational());
+  for (long q = 1; q <= 8; ++q)
+    for (long p = -16; p <= 16; ++p) tries.emplace_back(p, q);
+  for (const auto& at : tries) {
+    const auto y = square_root(value(curve->inside, at));
+    if (!y) continue;
+    const Rational slope = value(curve->inside.derivative(name), at);
+    const Rational lead = value(curve->inside.derivative(name).derivative(name), at) / Rational(2);
+    const RationalFunction t = (RationalFunction(slope) - RationalFunction(Rational(2) * *y) * u) / (u * u - RationalFunction(lead));
+    const RationalFunction w = RationalFunction(at) + t;
+    const RationalFunction root = RationalFunction(*y) + u * t;
+    const auto in_u = [&](const Polynomial& p) { return RationalFunction(p).substitute(name, w); };
+    const RationalFunction rho =
+        (curve->square.substitute(name, w) * root - in_u(c[1])) / (RationalFunction(2) * in_u(c[2]));
+    // u of the sample: (y0 - y)/(w0 - at), y0 from rho0.
+    const double s = estimate(*curve->square.evaluate({{name, w0}}));
+    const double y0 = (2 * estimate(value(c[2], w0)) * rho0 + estimate(value(c[1], w0))) / s;
+    const double dw = estimate(w0 - at);
+    if (std::abs(dw) < 1e-9 || s == 0) continue;
+    return Parametrization{w, rho, (y0 - estimate(*y)) / dw};
+  }
+  return std::nullopt;
+}
+
+// The factor of the characteristic equation of sign x^n = an eigenvalue of B_word(w) that rho(w0) satisfies.
+std::optional<Polynomial> radius_equation(const AffineFamily& family, const Word& word, int sign, const Rational& w0,
+                                          const RealAlgebraic& rho) {
+  const std::vector<PolynomialMatrix> b = family.matrices();
+  const size_t size = b[0].size();
+  PolynomialMatrix p(size, std::vector<Polynomial>(size));
+  for (size_t i = 0; i < size; ++i) p[i][i] = 1;
+  for (const int s : word) {
+    PolynomialMatrix next(size, std::vector<Polynomial>(size));
+    for (size_t i = 0; i < size; ++i)
+      for (size_t j = 0; j < size; ++j)
+        for (size_t k = 0; k < size; ++k) next[i][j] += b[static_cast<size_t>(s)][i][k] * p[k][j];
+    p = std::move(next);
+  }
+  const Rational scale = family.denominator().pow(static_cast<long>(word.size()));
+  const Polynomial x = Polynomial::variable("x").pow(static_cast<unsigned>(word.size())).scaled(scale * Rational(sign));
+  for (size_t i = 0; i < size; ++i)
+    for (size_t j = 0; j < size; ++j) p[i][j] = i == j ? x - p[i][j] : -p[i][j];
+  const Polynomial chi = determinant(std::move(p));
+  if (chi.is_zero()) return std::nullopt;
+  for (const auto& [factor, exponent] : chi.factor().factors) {
+    if (factor.degree("x") < 1) continue;
+    const Polynomial at = RationalFunction(factor).substitute(family.name(), w0).numerator();
+    if (Polynomial::quotient(at, rho.polynomial())) return factor;
+  }
+  return std::nullopt;
+}
+
+// The interval around the sample on which nothing collected so far changes sign.
+class Window {
+ public:
+  Window(const Rational& sample, std::optional<RealAlgebraic> low, std::optional<RealAlgebraic> high)
+      : sample_(sample), low_(std::move(low)), high_(std::move(high)) {}
+
+  // Narrows to the zeros of odd order of p nearest to the sample (all zeros if `all`).
+  void keep_sign(const Polynomial& p, bool all = false) {
+    if (p.is_constant()) return;
+    for (const auto& [factor, exponent] : p.factor().factors) {
+      if (exponent % 2 == 0 && !all) continue;
+      for (const auto& zero : RealAlgebraic::zeros(factor)) {
+        const int side = RealAlgebraic::compare(zero, RealAlgebraic(sample_));
+        if (side == 0) broken_ = true;
+        if (side < 0 && (!low_ || RealAlgebraic::compare(zero, *low_) > 0)) low_ = zero;
+        if (side > 0 && (!high_ || RealAlgebraic::compare(zero, *high_) < 0)) high_ = zero;
+      }
+    }
+  }
+  // f >= 0: the sample must satisfy it.
+  bool require(const RationalFunction& f) {
+    const auto value = f.evaluate({{parameter, sample_}});
+    if (!value || value->sign() < 0) return false;
+    if (f.is_zero()) return true;
+    for (const auto& [factor, exponent] : f.denominator_factors()) keep_sign(factor, true);
+    keep_sign(f.numerator());
+    return !broken_;
+  }
+  const std::optional<RealAlgebraic>& low() const { return low_; }
+  const std::optional<RealAlgebraic>& high() const { return high_; }
+
+ private:
+  Rational sample_;
+  std::optional<RealAlgebraic> low_;
+  std::optional<RealAlgebraic> high_;
+  bool broken_ = false;
+};
+
+using FunctionVector = std::vector<RationalFunction>;
+
+struct Followed {
+  Window window;
+  Json claim;
+};
+
+// The polytope of that shape over Q(u): its window around u, and the claim without its interval.
+std::optional<Followed> follow(const AffineFamily& family, const Parametrization& p, const Rational& u,
+                               const PolytopeShape& shape, Window window) {
+  using M = Matrix<RationalFunction>;
+  const std::vector<PolynomialMatrix> polynomial = family.matrices();
+  const size_t d = polynomial[0].size();
+  std::vector<M> b;
+  for (const auto& m : polynomial) {
+    M r(d, d);
+    for (size_t i = 0; i < d; ++i)
+      for (size_t j = 0; j < d; ++j)
+        r(i, j) = RationalFunction(m[i][j]).substitute(family.name(), p.w) / RationalFunction(family.denominator());
+    b.push_back(std::move(r));
+  }
+  if (!window.require(p.rho)) return std::nullopt;
+  window.keep_sign(p.rho.numerator(), true);
+  const RationalFunction inverse = p.rho.inverse();
+
+  std::vector<FunctionVector> x;
+  Json roots = Json::array();
+  for (size_t i = 0; i < shape.words.size(); ++i) {
+    M power = M::identity(d);
+    for (const int s : shape.words[i]) power = product(b[static_cast<size_t>(s)], power);
+    const RationalFunction lambda =
+        RationalFunction(shape.signs[i]) * p.rho.pow(static_cast<long>(shape.words[i].size()));
+    for (size_t k = 0; k < d; ++k) power(k, k) -= lambda;
+    const auto vectors = kernel(power);
+    if (vectors.size() != 1) return std::nullopt;
+    const FunctionVector vector = primitive(vectors[0]);
+    // The scale of the sample.
+    std::optional<Rational> scale;
+    for (size_t k = 0; k < d && !scale; ++k) {
+      const auto value = vector[k].evaluate({{parameter, u}});
+      if (value && !value->is_zero()) scale = shape.roots[i][k] / *value;
+    }
+    if (!scale || scale->is_zero()) return std::nullopt;
+    FunctionVector scaled;
+    std::vector<std::string> text;
+    for (const auto& c : vector) {
+      scaled.push_back(RationalFunction(*scale) * c);
+      text.push_back((scale->sign() < 0 ? -c : c).numerator().to_string());
+    }
+    x.push_back(std::move(scaled));
+    Json root;
+    root["word"] = shape.words[i];
+    root["sign"] = shape.signs[i];
+    root["scale"] = abs(*scale).to_string();
+    root["vector"] = text;
+    roots.push_back(std::move(root));
+  }
+  const auto image_of = [&](size_t matrix, size_t vertex) {
+    FunctionVector y = product(b[matrix], x[vertex]);
+    for (auto& c : y) c *= inverse;
+    return y;
+  };
+  for (const auto& [parent, matrix] : shape.tree) x.push_back(image_of(matrix, parent));
+  for (const auto& v : x)
+    for (const auto& c : v)
+      for (const auto& [factor, exponent] : c.denominator_factors()) window.keep_sign(factor, true);
+  M inner(d, d);
+  for (size_t j = 0; j < d; ++j)
+    for (size_t i = 0; i < d; ++i) inner(i, j) = x[shape.inner[j]][i];
+  const RationalFunction spanned = determinant(inner);
+  if (spanned.is_zero()) return std::nullopt;
+  window.keep_sign(spanned.numerator(), true);
+
+  Json images = Json::array();
+  for (const auto& image : shape.images) {
+    const FunctionVector y = image_of(image.matrix, image.vertex);
+    if (image.equals) {
+      for (size_t i = 0; i < d; ++i)
+        if (!(y[i] == RationalFunction(image.equals->second) * x[image.equals->first][i])) return std::nullopt;
+      images.push_back(Json::object({{"equals", image.equals->first}, {"sign", image.equals->second}}));
+      continue;
+    }
+    const size_t n = image.support.size();
+    if (n > 8) return std::nullopt;
+    M system(d, n + 1);
+    for (size_t i = 0; i < d; ++i) {
+      for (size_t j = 0; j < n; ++j) system(i, j) = x[image.support[j]][i];
+      system(i, n) = y[i];
+    }
+    const auto relation = kernel(system);
+    if (relation.size() != 1 || relation[0][n].is_zero()) return std::nullopt;
+    FunctionVector c;
+    for (size_t j = 0; j < n; ++j) c.push_back(-relation[0][j] / relation[0][n]);
+    for (size_t pattern = 0; pattern < (size_t{1} << n); ++pattern) {
+      RationalFunction slack = 1;
+      for (size_t j = 0; j < n; ++j) slack -= (pattern >> j & 1U) != 0 ? c[j] : -c[j];
+      if (!window.require(slack)) return std::nullopt;
+    }
+    images.push_back(Json::object({{"support", image.support}}));
+  }
+  Json claim;
+  claim["claim"] = "jsr-family";
+  claim["verdict"] = "proved";
+  claim["order"] = family.order();
+  claim["parameter"] = Json::array();
+  const auto fraction = [](const RationalFunction& f) {
+    return Json::object({{"numerator", f.numerator().to_string()}, {"denominator", f.denominator().to_string()}});
+  };
+  claim["substitution"] = fraction(p.w);
+  claim["radius"] = fraction(p.rho);
+  claim["roots"] = std::move(roots);
+  claim["tree"] = Json::array();
+  for (const auto& [parent, matrix] : shape.tree) claim["tree"].push_back(Json::array({parent, matrix}));
+  claim["inner"] = shape.inner;
+  claim["images"] = std::move(images);
+  claim["theorem"] = "invariant-polytope";
+  return Followed{std::move(window), std::move(claim)};
+}
+
+// phi(u) for an algebraic u.
+RealAlgebraic image_under(const RationalFunction& phi, const RealAlgebraic& u) {
+  if (const auto q = u.rational()) return *phi.evaluate({{parameter, *q}});
+  const RationalFunction difference = RationalFunction::variable("w'") - phi;
+  const Polynomial equation =
+      Polynomial::resultant(u.polynomial().substitute("x", Polynomial::variable(parameter)), difference.numerator(), parameter);
+  RealAlgebraic fine = u;
+  fine.refine(Rational(1, 1L << 60));
+  const double value = estimate(*phi.evaluate({{parameter, fine.lower()}}));
+  std::optional<RealAlgebraic> best;
+  for (const auto& zero : RealAlgebraic::zeros(equation))
+    if (!best || std::abs(zero.estimate() - value) < std::abs(best->estimate() - value)) best = zero;
+  return *best;
+}
+
+bool less(const RealAlgebraic& a, const RealAlgebraic& b) { return RealAlgebraic::compare(a, b) < 0; }
+
+}  // namespace
+
+std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Rational& from, const Rational& to,
+                                         const std::optional<std::pair<RealAlgebraic, RealAlgebraic>>& without,
+                                         const JsrOptions& options, std::vector<Json>& claims) {
+  std::vector<RadiusRange> list;
+  if (family.matrices()[0].size() > 6) return list;  // rational functions grow too fast
+  struct Gap {
+    RealAlgebraic low;
+    RealAlgebraic high;
+  };
+  std::vector<Gap> gaps;
+  const auto add_gap = [&](const RealAlgebraic& low, const RealAlgebraic& high) {
+    if (high.estimate() - low.estimate() > 1e-6 * estimate(to - from)) gaps.push_back({low, high});
+  };
+  if (without) {
+    add_gap(from, without->first);
+    add_gap(without->second, to);
+  } else {
+    add_gap(from, to);
+  }
+  JsrOptions search = options;
+  search.progress = nullptr;
+  search.seconds = 5;
+  search.vertices = 60;
+  const auto start = std::chrono::steady_clock::now();
+  const auto late = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > options.seconds / 3;
+  };
+  for (int attempts = 0; !gaps.empty() && attempts < 64 && !late(); ++attempts) {
+    const Gap gap = gaps.back();
+    gaps.pop_back();
+    const Rational w0 = rational_between(gap.low, gap.high);
+    const auto split = [&] {
+      if (gap.high.estimate() - gap.low.estimate() > 0.05 * estimate(to - from)) {
+        add_gap(gap.low, w0);
+        add_gap(w0, gap.high);
+      }
+    };
+    JsrResult at = joint_spectral_radius(family.matrices_at(w0), {}, search);
+    if (!at.exact || !at.shape) {
+      split();
+      continue;
+    }
+    const auto equation = radius_equation(family, at.shape->words[0], at.shape->signs[0], w0, *at.exact);
+    const auto curve = equation ? parametrized(*equation, family.name(), w0, at.exact->estimate()) : std::nullopt;
+    if (!curve) {
+      split();
+      continue;
+    }
+    // A rational u near the sample whose w lies in the gap; there the radius is rational.
+    Rational u;
+    bool found = false;
+    for (int bits = 2; bits <= 24 && !found; ++bits) {
+      u = Rational(static_cast<long>(std::lround(std::ldexp(curve->sample, bits)))) / Rational(1L << bits);
+      const auto w = curve->w.evaluate({{parameter, u}});
+      found = w && less(gap.low, *w) && less(*w, gap.high) &&
+              std::abs(estimate(*w - w0)) < 0.25 * (gap.high.estimate() - gap.low.estimate());
+    }
+    if (!found) {
+      split();
+      continue;
+    }
+    const Rational w1 = *curve->w.evaluate({{parameter, u}});
+    at = joint_spectral_radius(family.matrices_at(w1), {}, search);
+    // The window: where phi is monotone and stays in the gap.
+    Window window(u, std::nullopt, std::nullopt);
+    const Polynomial n = curve->w.numerator();
+    const Polynomial q = curve->w.denominator();
+    window.keep_sign(n.derivative(parameter) * q - n * q.derivative(parameter), true);
+    if (!q.is_constant()) window.keep_sign(q, true);
+    for (const RealAlgebraic* end : {&gap.low, &gap.high}) {
+      const Polynomial pe = end->polynomial();
+      const RationalFunction composed = RationalFunction(pe).substitute("x", curve->w);
+      if (!composed.is_zero()) window.keep_sign(composed.numerator(), true);
+    }
+    const auto rho = curve->rho.evaluate({{parameter, u}});
+    if (!at.exact || !at.shape || at.shape->roots.empty() || !rho || !(*at.exact == RealAlgebraic(*rho))) {
+      split();
+      continue;
+    }
+    auto followed = follow(family, *curve, u, *at.shape, std::move(window));
+    if (!followed || !followed->window.low() || !followed->window.high()) {
+      split();
+      continue;
+    }
+    RealAlgebraic u_low = *followed->window.low();
+    RealAlgebraic u_high = *followed->window.high();
+    RealAlgebraic low = image_under(curve->w, u_low);
+    RealAlgebraic high = image_under(curve->w, u_high);
+    if (less(high, low)) std::swap(low, high);
+    if (less(low, gap.low)) low = gap.low;
+    if (less(gap.high, high)) high = gap.high;
+    u_low.refine(Rational(1, 1L << 40));
+    u_high.refine(Rational(1, 1L << 40));
+    followed->claim["parameter"] = Json::array({u_low.upper().to_string(), u_high.lower().to_string()});
+    claims.push_back(std::move(followed->claim));
+    RadiusRange r;
+    r.interval = {low, high, true, true};
+    r.polynomial = *equation;
+    r.expression = branch_expression(*equation, family.name(), w1, *rho);
+    r.method = "invariant polytope";
+    r.cycles = at.cycles;
+    list.push_back(std::move(r));
+    add_gap(gap.low, low);
+    add_gap(high, gap.high);
+  }
+  // Neighbours with the same form are one range.
+  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return less(a.interval.from, b.interval.from); });
+  std::vector<RadiusRange> merged;
+  for (auto& r : list) {
+    if (!merged.empty() && merged.back().expression == r.expression && merged.back().polynomial == r.polynomial &&
+        merged.back().interval.to == r.interval.from)
+      merged.back().interval.to = r.interval.to;
+    else
+      merged.push_back(std::move(r));
+  }
+  return merged;
 }
 
 }  // namespace twoscale::analysis

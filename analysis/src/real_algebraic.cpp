@@ -186,6 +186,23 @@ bool operator==(const RealAlgebraic& a, const RealAlgebraic& b) {
   return a.p_ == b.p_ && RealAlgebraic::compare(a, b) == 0;
 }
 
+Rational rational_between(const RealAlgebraic& a, const RealAlgebraic& b) {
+  RealAlgebraic low = a;
+  RealAlgebraic high = b;
+  while (!(low.upper() < high.lower())) {
+    low.refine((low.upper() - low.lower()) / Rational(16));
+    high.refine((high.upper() - high.lower()) / Rational(16));
+  }
+  // The dyadic number with the smallest denominator.
+  for (Rational unit = 1;; unit /= Rational(2)) {
+    const Rational steps = low.upper() / unit;
+    Rational floor;
+    fmpz_fdiv_q(fmpq_numref(floor.raw()), steps.numerator(), steps.denominator());
+    const Rational candidate = (floor + Rational(1)) * unit;
+    if (candidate < high.lower()) return candidate;
+  }
+}
+
 std::optional<std::string> RealAlgebraic::expression() const {
   if (const auto q = rational()) return q->to_string();
   const fmpz_poly_struct* view = p_.univariate_view();

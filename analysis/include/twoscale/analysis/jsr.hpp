@@ -35,6 +35,22 @@ struct JsrOptions {
   std::function<void(const std::string&)> progress;
 };
 
+// How a closed polytope hangs together, without its numbers: enough to look for the same one at other parameters.
+struct PolytopeShape {
+  struct Image {
+    size_t vertex;
+    size_t matrix;
+    std::optional<std::pair<size_t, int>> equals;  // (vertex, sign)
+    std::vector<size_t> support;                   // otherwise: the vertices it is a combination of
+  };
+  std::vector<Word> words;  // of the roots
+  std::vector<int> signs;   // of their leading eigenvalues
+  std::vector<std::vector<Rational>> roots;  // their vectors, if the radius is rational
+  std::vector<std::pair<size_t, size_t>> tree;
+  std::vector<size_t> inner;
+  std::vector<Image> images;
+};
+
 struct JsrResult {
   Rational lower;                      // proved: lower <= JSR <= upper
   Rational upper;
@@ -42,7 +58,8 @@ struct JsrResult {
   std::vector<Word> cycles;            // words that attain it (exact), or the one that gives `lower`
   bool bounded = false;                // products of B/JSR are bounded, proved
   std::string method;                  // "invariant polytope", "enclosure", ...
-  // The claims jsr-exact, or jsr-lower and jsr-upper, without `claim` and `verdict` order issues: whole entries.
+  std::optional<PolytopeShape> shape;  // exact and irreducible: of the polytope
+  // Entries of a certificate: jsr-exact, or jsr-lower and jsr-upper.
   std::vector<nlohmann::ordered_json> claims;
 };
 

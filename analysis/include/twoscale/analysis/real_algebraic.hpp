@@ -46,6 +46,9 @@ class RealAlgebraic {
   Rational upper_;
 };
 
+// The dyadic number of smallest denominator strictly between a and b; required: a < b.
+Rational rational_between(const RealAlgebraic& a, const RealAlgebraic& b);
+
 // Sign of p at a rational; p in at most one variable.
 int sign_at(const Polynomial& p, const Rational& at);
 
