@@ -9,32 +9,49 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <optional>
+#include <variant>
 
 namespace twoscale::check {
 namespace {
 
 struct Kind {
   std::string_view name;
-  Finding (*check)(const Context&, Fields&, bool);
+  std::string_view theorem;  ///< the key that a claim of this kind must name; empty: it depends on the variables
+  Finding (*of_mask)(const Context&, Fields&, bool);
+  Finding (*of_family)(const FamilyContext&, Fields&, bool) = nullptr;
 };
 
-constexpr std::array<Kind, 7> kinds{{
-    {"interpolatory", check_interpolatory},
-    {"symmetric", check_symmetric},
-    {"sum-rules", check_sum_rules},
-    {"generates", check_generates},
-    {"reproduces", check_reproduces},
-    {"maximal", check_maximal},
-    {"well-defined", check_well_defined},
+constexpr std::array<Kind, 13> kinds{{
+    {"interpolatory", "definition", check_interpolatory},
+    {"symmetric", "definition", check_symmetric},
+    {"sum-rules", "definition", check_sum_rules},
+    {"generates", "generation-stepwise", check_generates},
+    {"reproduces", "reproduction-stepwise", check_reproduces},
+    {"maximal", "hurwitz-count", check_maximal},
+    {"well-defined", "", check_well_defined},
+    {"jsr-lower", "spectral-radius", check_jsr_lower, check_family_jsr_lower},
+    {"jsr-upper", "invariant-polytope", check_jsr_upper, check_family_jsr_upper},
+    {"jsr-exact", "invariant-polytope", check_jsr_exact, check_family_jsr_exact},
+    {"nonnegative-symbol", "nonnegative-symbol", check_nonnegative_symbol},
+    {"stability", "jia-wang", check_stability},
+    {"nonstationary", "nonstationary", check_nonstationary},
 }};
 
-/// The key a claim of this kind must name.
-std::string_view required_theorem(std::string_view claim, const Certificate& certificate) {
-  if (claim == "generates") return "generation-stepwise";
-  if (claim == "reproduces") return "reproduction-stepwise";
-  if (claim == "maximal") return "hurwitz-count";
-  if (claim != "well-defined") return "definition";
-  return certificate.names.empty() || certificate.single_level() ? "sturm" : "positive-coefficients";
+/// The two kinds of context: what the claims of this document are about.
+using Subject = std::variant<Context, FamilyContext>;
+
+std::string_view required_theorem(const Kind& kind, const Subject& subject) {
+  if (!kind.theorem.empty()) return kind.theorem;
+  const Context* context = std::get_if<Context>(&subject);
+  const bool univariate =
+      context == nullptr || context->certificate.names.empty() || context->certificate.single_level();
+  return univariate ? "sturm" : "positive-coefficients";
+}
+
+Finding find(const Kind& kind, const Subject& subject, Fields& fields, bool proved) {
+  if (const auto* context = std::get_if<Context>(&subject)) return kind.of_mask(*context, fields, proved);
+  return kind.of_family(std::get<FamilyContext>(subject), fields, proved);
 }
 
 static_assert(default_work == limits::work);
@@ -80,24 +97,30 @@ std::string head_line(const Certificate& certificate) {
   return text;
 }
 
-void check_claim(const Value& value, std::size_t number, const Context& context, Report& report, Trusted& trusted) {
+std::string head_line(const Family& family) {
+  const std::string size = std::to_string(family.matrices.front().size);
+  return std::to_string(family.matrices.size()) + " matrices B_0, B_1, ... of size " + size + "x" + size;
+}
+
+void check_claim(const Value& value, std::size_t number, const Subject& subject, Report& report, Trusted& trusted) {
   const std::string where = "claims[" + std::to_string(number) + "]";
   Fields fields(value, where);
   const std::string& name = fields.take_string("claim");
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == name; });
   if (kind == kinds.end()) throw Malformed(fields.path("claim") + ": unknown claim \"" + name.substr(0, 40) + "\"");
+  if (std::holds_alternative<FamilyContext>(subject) && kind->of_family == nullptr) {
+    throw Malformed(fields.path("claim") + ": \"" + name + "\" is a claim about a mask, not about matrices");
+  }
   const std::string& verdict = fields.take_string("verdict");
   if (verdict != "proved" && verdict != "refuted") {
     throw Malformed(fields.path("verdict") + ": \"proved\" or \"refuted\" is expected");
   }
   if (value.keys.back() != "theorem") throw Malformed(where + ".theorem: expected as the last member");
   const std::string& key = as_string(value.items.back(), where + ".theorem");
-  if (key != required_theorem(name, context.certificate)) {
-    throw Malformed(where + ".theorem: \"" + std::string(required_theorem(name, context.certificate)) +
-                    "\" is expected");
-  }
+  const std::string_view required = required_theorem(*kind, subject);
+  if (key != required) throw Malformed(where + ".theorem: \"" + std::string(required) + "\" is expected");
   try {
-    const Finding finding = kind->check(context, fields, verdict == "proved");
+    const Finding finding = find(*kind, subject, fields, verdict == "proved");
     fields.take("theorem");
     fields.done();
     std::string line = (verdict == "proved" ? "proved   " : "refuted  ") + name + " " + finding.subject + ": " +
@@ -122,7 +145,7 @@ void check_claim(const Value& value, std::size_t number, const Context& context,
 void check_document(std::string_view text, Report& report, Meter& meter) {
   const Value document = read_document(text, meter);
   Fields fields(document, "");
-  const Certificate certificate = read_certificate(fields, meter);
+  const Head head = read_head(fields, meter);
   const std::vector<Value>& claims = fields.take_array("claims");
   check_digest(text, fields.take_string("digest"));
   fields.done();
@@ -130,13 +153,23 @@ void check_document(std::string_view text, Report& report, Meter& meter) {
   if (claims.size() > limits::list_items) throw Malformed("claims: more than 4096");
 
   report.status = Report::valid;
-  report.lines.push_back("the label \"" + certificate.scheme +
-                         "\" is not checked: the claims are about the mask in this file, whatever its name");
-  report.lines.push_back(head_line(certificate));
-  Identities identities(certificate, meter);
-  const Context context{certificate, identities, meter};
+  const Certificate* certificate = std::get_if<Certificate>(&head.subject);
+  report.lines.push_back("the label \"" + head.scheme + "\" is not checked: the claims are about the " +
+                         (certificate != nullptr ? "mask" : "matrices") + " in this file, whatever " +
+                         (certificate != nullptr ? "its" : "their") + " name");
+  std::optional<Identities> identities;
+  RadiusBounds radius;
+  std::optional<Subject> subject;
+  if (certificate != nullptr) {
+    report.lines.push_back(head_line(*certificate));
+    subject.emplace(Context{*certificate, identities.emplace(*certificate, meter), meter, radius});
+  } else {
+    const Family& family = std::get<Family>(head.subject);
+    report.lines.push_back(head_line(family));
+    subject.emplace(FamilyContext{family, meter});
+  }
   Trusted trusted;
-  for (std::size_t i = 0; i < claims.size(); ++i) check_claim(claims[i], i, context, report, trusted);
+  for (std::size_t i = 0; i < claims.size(); ++i) check_claim(claims[i], i, *subject, report, trusted);
   for (const std::string_view key : trusted.keys) {
     const Theorem& t = theorem(key);
     report.lines.push_back("[" + std::string(t.key) + "] " + std::string(t.statement) + " (" + std::string(t.source) +

@@ -33,6 +33,8 @@ std::string canonical_json(const Value& value);
 class Fields {
  public:
   Fields(const Value& object, std::string where);
+  /// Is the next member called `key`?
+  bool next_is(std::string_view key) const;
   /// The next member, which must be called `key`.
   const Value& take(std::string_view key);
   /// Every member has been taken.
