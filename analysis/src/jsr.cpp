@@ -44,6 +44,10 @@ class Deadline {
   std::chrono::steady_clock::time_point end_;
 };
 
+void report(const JsrOptions& options, const std::string& line) {
+  if (options.progress) options.progress(line);
+}
+
 // The nearest multiple of 2^-bits.
 Rational dyadic(double x, int bits = 40) {
   Rational r;
@@ -331,7 +335,22 @@ std::optional<Json> prove_block_upper(const Family& block, const Rational& bound
   return std::nullopt;
 }
 
-Json zero_block(long d) { return block_json(d, "0", Json::array(), {}, {}, Json::array()); }
+// For a family of zero matrices: any bound, by the unit vectors; the bound 0 needs nothing.
+Json zero_block(const Family& block, const Rational& bound) {
+  const long d = block[0].rows();
+  Json roots = Json::array();
+  Json images = Json::array();
+  std::vector<size_t> inner;
+  if (bound.sign() > 0)
+    for (long i = 0; i < d; ++i) {
+      std::vector<std::string> unit(static_cast<size_t>(d), "0");
+      unit[static_cast<size_t>(i)] = "1";
+      roots.push_back(root_json({}, 1, 1, unit));
+      inner.push_back(static_cast<size_t>(i));
+      for (size_t s = 0; s < block.size(); ++s) images.push_back(sum_json({}));
+    }
+  return block_json(d, bound.to_string(), std::move(roots), {}, inner, std::move(images));
+}
 
 // ---- JSR(block) = rho exactly
 
@@ -484,9 +503,15 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
 
   const Polytope p = estimate_polytope(normalised, roots, 0, options.vertices, deadline);
   if (p.better) return {std::nullopt, p.better, {}};
-  if (!p.closed) return {};
+  if (!p.closed) {
+    report(options, "the polytope did not close with " + std::to_string(p.vertices.size()) + " vertices");
+    return {};
+  }
   const std::vector<size_t> inner = estimate_spanning(p.vertices, d);
-  if (inner.empty()) return {};
+  if (inner.empty()) {
+    report(options, "the polytope is not full-dimensional");
+    return {};
+  }
 
   for (const auto& [parent, matrix] : p.tree) {
     exact.u.push_back(block[matrix] * exact.u[parent]);
@@ -520,8 +545,10 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     for (const auto& image : p.images) {
       if (image.equals) {
         if (!equal(block[image.matrix] * exact.u[image.vertex], exact.depth[image.vertex] + 1, image.equals->first,
-                   image.equals->second))
+                   image.equals->second)) {
+          report(options, "an image is near a vertex and not equal to it");
           return {};
+        }
         images.push_back(Json::object({{"equals", image.equals->first}, {"sign", image.equals->second}}));
         continue;
       }
@@ -530,7 +557,10 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
       auto sum = rounded(image.coefficients);
       if (!inside(x, *inverse, y, sum)) {
         const auto on_face = exact_coordinates(x, y, image.coefficients);
-        if (!on_face || !inside(x, *inverse, y, *on_face)) return {};
+        if (!on_face || !inside(x, *inverse, y, *on_face)) {
+          report(options, "an inclusion could not be certified");
+          return {};
+        }
         sum = *on_face;
       }
       images.push_back(sum_json(sum));
@@ -587,7 +617,10 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
       images.push_back(sum_json(sum));
     }
     arb_mat_clear(inverse);
-    if (!good) return {};
+    if (!good) {
+      report(options, "an inclusion could not be certified");
+      return {};
+    }
   }
   Json root_list = Json::array();
   for (size_t i = 0; i < cycles.size(); ++i) {
@@ -599,14 +632,30 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
   return {block_json(d, "", root_list, p.tree, inner, images), std::nullopt, std::move(shape)};
 }
 
-std::optional<ExactCycle> exact_cycle(const Family& block, const Word& word) {
+// The real leading eigenvalues of the product with independent eigenvectors; empty if a complex pair leads.
+std::vector<ExactCycle> exact_cycles(const Family& block, const Word& word) {
   const RationalMatrix p = product(block, word);
-  const auto lambda = leading_eigenvalue(p);
-  if (!lambda || lambda->sign() == 0) return std::nullopt;
-  const RationalMatrix kernel = evaluate(lambda->polynomial(), p).kernel();
-  if (kernel.columns() != lambda->degree()) return std::nullopt;  // several eigenvectors: no tree with one root
-  return ExactCycle{word, lambda->root_of_modulus(static_cast<unsigned>(word.size())), lambda->sign(),
-                    kernel.block(0, 0, kernel.rows(), 1), lambda->polynomial()};
+  std::vector<ExactCycle> list;
+  for (const auto& lambda : leading_eigenvalues(p)) {
+    if (lambda.sign() == 0) continue;
+    const RationalMatrix kernel = evaluate(lambda.polynomial(), p).kernel();
+    const RealAlgebraic radius = lambda.root_of_modulus(static_cast<unsigned>(word.size()));
+    // Columns whose cyclic spaces are independent of those taken before.
+    std::vector<std::vector<Rational>> taken;
+    for (long k = 0; k < kernel.columns(); ++k) {
+      std::vector<Rational> x;
+      for (long i = 0; i < kernel.rows(); ++i) x.push_back(kernel(i, k));
+      std::vector<std::vector<Rational>> with = taken;
+      for (long i = 0; i < lambda.degree(); ++i) {
+        with.push_back(x);
+        x = p * x;
+      }
+      if (RationalMatrix::from_columns(kernel.rows(), with).rank() < static_cast<long>(with.size())) continue;
+      taken = std::move(with);
+      list.push_back({word, radius, lambda.sign(), kernel.block(0, k, kernel.rows(), 1), lambda.polynomial()});
+    }
+  }
+  return list;
 }
 
 // ---- Putting blocks together
@@ -680,7 +729,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
     const Family& block = form.blocks[b];
     const auto d = form.sizes[b];
     if (all_zero(block)) {
-      blocks[b] = zero_block(d);
+      blocks[b] = zero_block(block, outward(found.radius / 2, 1));
       continue;
     }
     CycleSearch& cycles = found.cycles[b];
@@ -697,25 +746,30 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
     for (int round = 0; round < 6 && !done && !deadline.passed(); ++round) {
       std::vector<ExactCycle> exact;
       for (const auto& word : cycles.words) {
-        if (exact.size() == most_cycles) break;
-        auto c = exact_cycle(block, word);
-        if (!c) continue;
-        const int order_of = exact.empty() ? 0 : RealAlgebraic::compare(c->radius, exact.front().radius);
-        if (order_of > 0) exact.clear();
-        if (order_of >= 0) exact.push_back(std::move(*c));
+        if (exact.size() >= most_cycles) break;
+        for (auto& c : exact_cycles(block, word)) {
+          const int order_of = exact.empty() ? 0 : RealAlgebraic::compare(c.radius, exact.front().radius);
+          if (order_of > 0) exact.clear();
+          if (order_of >= 0) exact.push_back(std::move(c));
+        }
       }
-      if (exact.empty()) return std::nullopt;  // a complex pair leads
+      if (exact.empty()) {
+        report(options, "no product with a real leading eigenvalue");
+        return std::nullopt;
+      }
       if (rho && !(exact.front().radius == *rho)) return std::nullopt;
       ExactOutcome outcome = prove_block_exact(block, exact, exact.front().radius, options, deadline);
       if (outcome.block) {
         rho = exact.front().radius;
-        for (const auto& c : exact) result.cycles.push_back(c.word);
+        for (const auto& c : exact)
+          if (std::find(result.cycles.begin(), result.cycles.end(), c.word) == result.cycles.end())
+            result.cycles.push_back(c.word);
         blocks[b] = *outcome.block;
         if (form.blocks.size() == 1) result.shape = std::move(outcome.shape);
         done = true;
         ++attained;
       } else if (outcome.better) {
-        if (options.progress) options.progress("a longer product leads: length " + std::to_string(outcome.better->size()));
+        report(options, "a longer product leads: length " + std::to_string(outcome.better->size()));
         if (rho) return std::nullopt;
         std::vector<Real> family = normalised_by(block, 1);
         Real p = Real::Identity(d, d);
@@ -753,7 +807,7 @@ std::optional<Json> prove_upper(const BlockForm& form, const Searched& found, co
   std::vector<Json> blocks;
   for (size_t b = 0; b < form.blocks.size(); ++b) {
     if (all_zero(form.blocks[b])) {
-      blocks.push_back(zero_block(form.sizes[b]));
+      blocks.push_back(zero_block(form.blocks[b], bound));
       continue;
     }
     const double slack = fmpq_get_d(bound.raw()) / std::max(found.cycles[b].radius, 1e-300) - 1;
@@ -818,7 +872,7 @@ JsrResult enclosed(const Family& family, const BlockForm& form, const Searched& 
     if (!claim) return false;
     best = std::move(claim);
     result.upper = bound;
-    if (options.progress) options.progress("upper bound " + bound.to_string());
+    report(options, "proved: radius <= " + rounded_decimal(bound, 8));
     return true;
   };
   const double target = fmpq_get_d(options.width.raw());
@@ -837,26 +891,18 @@ JsrResult enclosed(const Family& family, const BlockForm& form, const Searched& 
 
 }  // namespace
 
-std::optional<RealAlgebraic> leading_eigenvalue(const RationalMatrix& a) {
+std::vector<RealAlgebraic> leading_eigenvalues(const RationalMatrix& a) {
   const Polynomial chi = a.characteristic_polynomial();
-  std::optional<RealAlgebraic> best;
+  std::vector<RealAlgebraic> best;  // of equal modulus
+  const auto modulus = [](const RealAlgebraic& r) { return r.sign() == 0 ? r : r.root_of_modulus(1); };
   for (const auto& root : RealAlgebraic::zeros(chi)) {
-    if (!best) {
-      best = root;
-      continue;
-    }
-    // Of l and -l the positive one.
-    const int sign = root.sign();
-    const int best_sign = best->sign();
-    if (sign >= 0 && best_sign >= 0) {
-      if (RealAlgebraic::compare(root, *best) > 0) best = root;
-    } else if (sign >= 0) {
-      const RealAlgebraic modulus = best->root_of_modulus(1);
-      if (RealAlgebraic::compare(root, modulus) >= 0) best = root;
-    }
+    const int order = best.empty() ? 1 : RealAlgebraic::compare(modulus(root), modulus(best.front()));
+    if (order > 0) best.clear();
+    if (order >= 0) best.push_back(root);
   }
-  if (!best) return std::nullopt;
-  const double modulus = std::abs(best->estimate());
+  if (best.empty()) return best;
+  std::reverse(best.begin(), best.end());  // of l and -l the positive one first
+  const double size = std::abs(best.front().estimate());
   for (const auto& [factor, exponent] : chi.factor().factors) {
     const fmpz_poly_struct* view = factor.univariate_view();
     const long degree = fmpz_poly_degree(view);
@@ -864,12 +910,12 @@ std::optional<RealAlgebraic> leading_eigenvalue(const RationalMatrix& a) {
     arb_fmpz_poly_complex_roots(roots, view, 0, 64);
     bool beyond = false;
     for (long i = 0; i < degree; ++i) {
-      Ball size;
-      acb_abs(size.raw(), roots + i, 64);
-      beyond = beyond || midpoint(size) > modulus * (1 + 1e-12);
+      Ball value;
+      acb_abs(value.raw(), roots + i, 64);
+      beyond = beyond || midpoint(value) > size * (1 + 1e-12);
     }
     _acb_vec_clear(roots, degree);
-    if (beyond) return std::nullopt;
+    if (beyond) return {};
   }
   return best;
 }
@@ -885,14 +931,13 @@ JsrResult joint_spectral_radius(const Family& family, const JsrSubject& subject,
     claim["radius"] = radius_json(*zero.exact);
     claim["basis"] = basis_json(form);
     claim["blocks"] = Json::array();
-    for (const long d : form.sizes) claim["blocks"].push_back(zero_block(d));
+    for (const auto& block : form.blocks) claim["blocks"].push_back(zero_block(block, 0));
     claim["theorem"] = "invariant-polytope";
     zero.claims.push_back(std::move(claim));
     return zero;
   }
   Searched found = estimate_blocks(form);
-  if (options.progress)
-    options.progress("blocks " + std::to_string(form.sizes.size()) + ", candidate radius " + std::to_string(found.radius));
+  report(options, std::to_string(form.sizes.size()) + " block(s), candidate radius " + std::to_string(found.radius));
   if (!options.enclosure_only) {
     const Deadline part(deadline.left() * 0.6);
     if (auto exact = prove_exact(form, found, subject, options, part)) return *exact;
@@ -919,8 +964,8 @@ bool prove_bounded(const Family& family, const JsrOptions& options) {
   const CycleSearch cycles = estimate_cycles(approximate, 8, 200);
   std::vector<ExactCycle> exact;
   for (const auto& word : cycles.words)
-    if (auto c = exact_cycle(family, word); exact.size() < most_cycles && c && c->radius == RealAlgebraic(Rational(1)))
-      exact.push_back(std::move(*c));
+    for (auto& c : exact_cycles(family, word))
+      if (exact.size() < most_cycles && c.radius == RealAlgebraic(Rational(1))) exact.push_back(std::move(c));
   return !exact.empty() && prove_block_exact(family, exact, Rational(1), options, deadline).block.has_value();
 }
 

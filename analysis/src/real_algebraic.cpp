@@ -20,6 +20,18 @@ Rational from_arf(const arf_t x) {
   return r;
 }
 
+// The next multiple of 2^-44 in that direction.
+Rational rounded_out(const Rational& x, int direction) {
+  const Rational unit(1, 1L << 44);
+  const Rational steps = x / unit;
+  Rational whole;
+  if (direction < 0)
+    fmpz_fdiv_q(fmpq_numref(whole.raw()), steps.numerator(), steps.denominator());
+  else
+    fmpz_cdiv_q(fmpq_numref(whole.raw()), steps.numerator(), steps.denominator());
+  return whole * unit;
+}
+
 Polynomial integer_constant(const fmpz* n) {
   fmpz_t copy;
   fmpz_init_set(copy, n);
@@ -80,6 +92,7 @@ std::vector<RealAlgebraic> RealAlgebraic::zeros(const Polynomial& p) {
       list.emplace_back(-value);
       continue;
     }
+    std::vector<RealAlgebraic> found;
     acb_ptr roots = _acb_vec_init(degree);
     arb_fmpz_poly_complex_roots(roots, view, 0, 64);
     for (long i = 0; i < degree; ++i) {
@@ -90,9 +103,18 @@ std::vector<RealAlgebraic> RealAlgebraic::zeros(const Polynomial& p) {
       arf_init(high);
       arb_get_lbound_arf(low, acb_realref(roots + i), 128);
       arb_get_ubound_arf(high, acb_realref(roots + i), 128);
-      list.push_back(RealAlgebraic(Polynomial::univariate("x", view), from_arf(low), from_arf(high)));
+      found.push_back(RealAlgebraic(Polynomial::univariate("x", view), from_arf(low), from_arf(high)));
       arf_clear(low);
       arf_clear(high);
+    }
+    for (size_t i = 0; i < found.size(); ++i) {
+      // Short ends, where the neighbours leave room for them.
+      const Rational low = rounded_out(found[i].lower_, -1);
+      const Rational high = rounded_out(found[i].upper_, 1);
+      const bool room = std::none_of(found.begin(), found.end(), [&](const RealAlgebraic& o) {
+        return &o != &found[i] && o.lower_ <= high && low <= o.upper_;
+      });
+      list.push_back(room ? RealAlgebraic(found[i].p_, low, high) : found[i]);
     }
     _acb_vec_clear(roots, degree);
   }

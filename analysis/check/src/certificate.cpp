@@ -77,6 +77,31 @@ void read_mask(Fields& fields, Certificate& certificate, Meter& meter) {
   certificate.symmetric = std::equal(n.begin(), n.end(), n.rbegin());
 }
 
+Certificate read_certificate(Fields& fields, Meter& meter) {
+  Certificate certificate;
+  certificate.arity = static_cast<int>(fields.take_integer("arity", 2, 64));
+  read_variables(fields, certificate);
+  certificate.shift = parse_small_fraction(fields.take_string("shift"), "shift", meter);
+  const long numerator = certificate.shift.numerator * (certificate.arity - 1);
+  const long divisor = std::gcd(numerator, certificate.shift.denominator);
+  certificate.e = {numerator / divisor, certificate.shift.denominator / divisor};
+  if (certificate.e.denominator > 1000) throw Malformed("shift: the denominator of (arity-1)*shift is beyond 1000");
+  read_mask(fields, certificate, meter);
+  return certificate;
+}
+
+Family read_family(Fields& fields, Meter& meter) {
+  const std::vector<Value>& matrices = fields.take_array("matrices");
+  if (matrices.empty() || matrices.size() > limits::list_items)
+    throw Malformed("matrices: from 1 to 4096 are expected");
+  Family family;
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    const std::size_t size = i == 0 ? 0 : family.matrices.front().size;
+    family.matrices.push_back(read_matrix(matrices[i], size, "matrices[" + std::to_string(i) + "]", meter));
+  }
+  return family;
+}
+
 std::string exponent_text(const std::vector<long>& frequency, const Certificate& certificate) {
   std::string sum;
   int parts = 0;
@@ -103,24 +128,21 @@ std::string power_text(long power, const std::string& exponential) {
 
 }  // namespace
 
-Certificate read_certificate(Fields& fields, Meter& meter) {
-  Certificate certificate;
+Head read_head(Fields& fields, Meter& meter) {
   if (fields.take_string("format") != "twoscale/certificate") {
     throw Malformed("format: \"twoscale/certificate\" is expected");
   }
   fields.take_integer("version", 1, 1);
-  certificate.scheme = label(fields, "scheme");
-  certificate.has_mask = !fields.next_is("claims");
-  if (!certificate.has_mask) return certificate;
-  certificate.arity = static_cast<int>(fields.take_integer("arity", 2, 64));
-  read_variables(fields, certificate);
-  certificate.shift = parse_small_fraction(fields.take_string("shift"), "shift", meter);
-  const long numerator = certificate.shift.numerator * (certificate.arity - 1);
-  const long divisor = std::gcd(numerator, certificate.shift.denominator);
-  certificate.e = {numerator / divisor, certificate.shift.denominator / divisor};
-  if (certificate.e.denominator > 1000) throw Malformed("shift: the denominator of (arity-1)*shift is beyond 1000");
-  read_mask(fields, certificate, meter);
-  return certificate;
+  Head head;
+  head.scheme = label(fields, "scheme");
+  if (fields.next_is("matrices")) {
+    head.subject = read_family(fields, meter);
+  } else if (fields.next_is("claims")) {
+    head.subject = Standalone{};
+  } else {
+    head.subject = read_certificate(fields, meter);
+  }
+  return head;
 }
 
 std::vector<long> read_frequency(const Value& value, const Certificate& certificate, const std::string& where) {

@@ -9,37 +9,59 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <optional>
+#include <variant>
 
 namespace twoscale::check {
 namespace {
 
 struct Kind {
   std::string_view name;
-  Finding (*check)(const Context&, Fields&, bool);
-  bool needs_mask = true;
+  std::string_view theorem;  ///< the key that a claim of this kind must name; empty: it depends on the claim
+  Finding (*of_mask)(const Context&, Fields&, bool);
+  Finding (*of_family)(const FamilyContext&, Fields&, bool) = nullptr;
+  Finding (*of_itself)(Meter&, Fields&, bool) = nullptr;  ///< states itself what it is about: in every document
 };
 
-constexpr std::array<Kind, 9> kinds{{
-    {"interpolatory", check_interpolatory},
-    {"symmetric", check_symmetric},
-    {"sum-rules", check_sum_rules},
-    {"generates", check_generates},
-    {"reproduces", check_reproduces},
-    {"maximal", check_maximal},
-    {"well-defined", check_well_defined},
-    {"positivity", check_positivity, false},
-    {"root-bound", check_root_bound, false},
+constexpr std::array<Kind, 15> kinds{{
+    {"interpolatory", "definition", check_interpolatory},
+    {"symmetric", "definition", check_symmetric},
+    {"sum-rules", "definition", check_sum_rules},
+    {"generates", "generation-stepwise", check_generates},
+    {"reproduces", "reproduction-stepwise", check_reproduces},
+    {"maximal", "hurwitz-count", check_maximal},
+    {"well-defined", "", check_well_defined},
+    {"jsr-lower", "spectral-radius", check_jsr_lower, check_family_jsr_lower},
+    {"jsr-upper", "invariant-polytope", check_jsr_upper, check_family_jsr_upper},
+    {"jsr-exact", "invariant-polytope", check_jsr_exact, check_family_jsr_exact},
+    {"nonnegative-symbol", "nonnegative-symbol", check_nonnegative_symbol},
+    {"stability", "jia-wang", check_stability},
+    {"nonstationary", "nonstationary", check_nonstationary},
+    {"positivity", "", nullptr, nullptr, check_positivity},
+    {"root-bound", "schur-cohn", nullptr, nullptr, check_root_bound},
 }};
 
-/// The key a claim of this kind must name.
-std::string_view required_theorem(std::string_view claim, const Value& value, const Certificate& certificate) {
-  if (claim == "positivity") return positivity_theorem(value);
-  if (claim == "root-bound") return "schur-cohn";
-  if (claim == "generates") return "generation-stepwise";
-  if (claim == "reproduces") return "reproduction-stepwise";
-  if (claim == "maximal") return "hurwitz-count";
-  if (claim != "well-defined") return "definition";
-  return certificate.names.empty() || certificate.single_level() ? "sturm" : "positive-coefficients";
+/// What the claims of this document are about.
+using Subject = std::variant<Context, FamilyContext, Standalone>;
+
+std::string_view required_theorem(const Kind& kind, const Value& claim, const Subject& subject) {
+  if (!kind.theorem.empty()) return kind.theorem;
+  if (kind.of_itself != nullptr) return positivity_theorem(claim);
+  const Context* context = std::get_if<Context>(&subject);
+  const bool univariate =
+      context == nullptr || context->certificate.names.empty() || context->certificate.single_level();
+  return univariate ? "sturm" : "positive-coefficients";
+}
+
+bool is_about(const Kind& kind, const Subject& subject) {
+  return kind.of_itself != nullptr || (std::holds_alternative<Context>(subject) && kind.of_mask != nullptr) ||
+         (std::holds_alternative<FamilyContext>(subject) && kind.of_family != nullptr);
+}
+
+Finding find(const Kind& kind, const Subject& subject, Meter& meter, Fields& fields, bool proved) {
+  if (kind.of_itself != nullptr) return kind.of_itself(meter, fields, proved);
+  if (const auto* context = std::get_if<Context>(&subject)) return kind.of_mask(*context, fields, proved);
+  return kind.of_family(std::get<FamilyContext>(subject), fields, proved);
 }
 
 static_assert(default_work == limits::work);
@@ -85,14 +107,21 @@ std::string head_line(const Certificate& certificate) {
   return text;
 }
 
-void check_claim(const Value& value, std::size_t number, const Context& context, Report& report, Trusted& trusted) {
+std::string head_line(const Family& family) {
+  const std::string size = std::to_string(family.matrices.front().size);
+  return std::to_string(family.matrices.size()) + " matrices B_0, B_1, ... of size " + size + "x" + size;
+}
+
+void check_claim(const Value& value, std::size_t number, const Subject& subject, Meter& meter, Report& report, Trusted& trusted) {
   const std::string where = "claims[" + std::to_string(number) + "]";
   Fields fields(value, where);
   const std::string& name = fields.take_string("claim");
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == name; });
   if (kind == kinds.end()) throw Malformed(fields.path("claim") + ": unknown claim \"" + name.substr(0, 40) + "\"");
-  if (kind->needs_mask && !context.certificate.has_mask) {
-    throw Malformed(fields.path("claim") + ": \"" + name + "\" needs a mask");
+  if (!is_about(*kind, subject)) {
+    const bool matrices = std::holds_alternative<FamilyContext>(subject);
+    throw Malformed(fields.path("claim") + ": \"" + name + "\" is a claim about a mask, not about " +
+                    (matrices ? "matrices" : "what it states"));
   }
   const std::string& verdict = fields.take_string("verdict");
   if (verdict != "proved" && verdict != "refuted") {
@@ -100,12 +129,10 @@ void check_claim(const Value& value, std::size_t number, const Context& context,
   }
   if (value.keys.back() != "theorem") throw Malformed(where + ".theorem: expected as the last member");
   const std::string& key = as_string(value.items.back(), where + ".theorem");
-  const std::string_view required = required_theorem(name, value, context.certificate);
-  if (key != required) {
-    throw Malformed(where + ".theorem: \"" + std::string(required) + "\" is expected");
-  }
+  const std::string_view required = required_theorem(*kind, value, subject);
+  if (key != required) throw Malformed(where + ".theorem: \"" + std::string(required) + "\" is expected");
   try {
-    const Finding finding = kind->check(context, fields, verdict == "proved");
+    const Finding finding = find(*kind, subject, meter, fields, verdict == "proved");
     fields.take("theorem");
     fields.done();
     std::string line = (verdict == "proved" ? "proved   " : "refuted  ") + name + " " + finding.subject + ": " +
@@ -130,7 +157,7 @@ void check_claim(const Value& value, std::size_t number, const Context& context,
 void check_document(std::string_view text, Report& report, Meter& meter) {
   const Value document = read_document(text, meter);
   Fields fields(document, "");
-  const Certificate certificate = read_certificate(fields, meter);
+  const Head head = read_head(fields, meter);
   const std::vector<Value>& claims = fields.take_array("claims");
   check_digest(text, fields.take_string("digest"));
   fields.done();
@@ -138,13 +165,26 @@ void check_document(std::string_view text, Report& report, Meter& meter) {
   if (claims.size() > limits::list_items) throw Malformed("claims: more than 4096");
 
   report.status = Report::valid;
-  report.lines.push_back("the label \"" + certificate.scheme + "\" is not checked: the claims are about " +
-                         (certificate.has_mask ? "the mask in this file" : "what they state") + ", whatever its name");
-  if (certificate.has_mask) report.lines.push_back(head_line(certificate));
-  Identities identities(certificate, meter);
-  const Context context{certificate, identities, meter};
+  const Certificate* certificate = std::get_if<Certificate>(&head.subject);
+  const Family* family = std::get_if<Family>(&head.subject);
+  report.lines.push_back("the label \"" + head.scheme + "\" is not checked: the claims are about " +
+                         (certificate != nullptr ? "the mask in this file, whatever its name"
+                          : family != nullptr    ? "the matrices in this file, whatever their name"
+                                                 : "what they state"));
+  std::optional<Identities> identities;
+  RadiusBounds radius;
+  std::optional<Subject> subject;
+  if (certificate != nullptr) {
+    report.lines.push_back(head_line(*certificate));
+    subject.emplace(Context{*certificate, identities.emplace(*certificate, meter), meter, radius});
+  } else if (family != nullptr) {
+    report.lines.push_back(head_line(*family));
+    subject.emplace(FamilyContext{*family, meter});
+  } else {
+    subject.emplace(Standalone{});
+  }
   Trusted trusted;
-  for (std::size_t i = 0; i < claims.size(); ++i) check_claim(claims[i], i, context, report, trusted);
+  for (std::size_t i = 0; i < claims.size(); ++i) check_claim(claims[i], i, *subject, meter, report, trusted);
   for (const std::string_view key : trusted.keys) {
     const Theorem& t = theorem(key);
     report.lines.push_back("[" + std::string(t.key) + "] " + std::string(t.statement) + " (" + std::string(t.source) +

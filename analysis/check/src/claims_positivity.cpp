@@ -14,8 +14,7 @@ std::string_view positivity_theorem(const Value& claim) {
   return "bernstein";
 }
 
-Finding check_positivity(const Context& context, Fields& fields, bool proved) {
-  Meter& meter = context.meter;
+Finding check_positivity(Meter& meter, Fields& fields, bool proved) {
   const std::string& text = fields.take_string("polynomial");
   const std::string where = fields.path("polynomial");
   Box box = read_box(fields, meter);

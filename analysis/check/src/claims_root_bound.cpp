@@ -112,8 +112,7 @@ bool schur_cohn(Dense a, Meter& meter) {
 
 }  // namespace
 
-Finding check_root_bound(const Context& context, Fields& fields, bool proved) {
-  Meter& meter = context.meter;
+Finding check_root_bound(Meter& meter, Fields& fields, bool proved) {
   const std::string& text = fields.take_string("polynomial");
   const std::string where = fields.path("polynomial");
   const std::string& root = fields.take_string("root");

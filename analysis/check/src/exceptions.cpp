@@ -25,8 +25,6 @@ int common_sign(const Polynomial& p, const std::vector<std::size_t>& constants) 
   return sign;
 }
 
-std::string shortened(const std::string& text) { return text.size() <= 200 ? text : text.substr(0, 200) + "..."; }
-
 }  // namespace
 
 std::optional<std::uint64_t> root_order(const Angle& angle, int arity) {

@@ -158,7 +158,7 @@ std::string Fields::path(std::string_view key) const {
 }
 
 const Value& Fields::take(std::string_view key) {
-  if (next_ >= object_.keys.size() || object_.keys[next_] != key) {
+  if (!next_is(key)) {
     const std::string found = next_ < object_.keys.size() ? "\"" + object_.keys[next_].substr(0, 40) + "\"" : "the end";
     throw Malformed(path(key) + ": expected as the next member, found " + found);
   }

@@ -3,6 +3,7 @@
 #include "twoscale/check/number.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace twoscale::check {
 
@@ -35,6 +36,42 @@ Fraction parse_fraction(std::string_view text, const std::string& where, Meter& 
   }
   return result;
 }
+
+Fraction reduced(Integer numerator, Integer denominator, Meter& meter) {
+  const Integer divisor = meter.gcd(numerator, denominator);
+  if (divisor > 1) {
+    meter.spend((words(numerator) + words(denominator)) * words(divisor) + 20);
+    numerator /= divisor;
+    denominator /= divisor;
+  }
+  if (denominator < 0) {
+    numerator = -numerator;
+    denominator = -denominator;
+  }
+  return {std::move(numerator), std::move(denominator)};
+}
+
+int compare(const Fraction& a, const Fraction& b, Meter& meter) {
+  return meter.multiply(a.numerator, b.denominator).compare(meter.multiply(b.numerator, a.denominator));
+}
+
+Integer floor_quotient(const Integer& a, const Integer& b, Meter& meter) {
+  meter.spend(3 * words(a) * words(b) + 20);
+  Integer quotient, rest;
+  divide_qr(a, b, quotient, rest);
+  if (rest < 0) --quotient;
+  return quotient;
+}
+
+Integer ceil_quotient(const Integer& a, const Integer& b, Meter& meter) {
+  meter.spend(3 * words(a) * words(b) + 20);
+  Integer quotient, rest;
+  divide_qr(a, b, quotient, rest);
+  if (rest > 0) ++quotient;
+  return quotient;
+}
+
+std::string shortened(const std::string& text) { return text.size() <= 200 ? text : text.substr(0, 200) + "..."; }
 
 SmallFraction parse_small_fraction(std::string_view text, const std::string& where, Meter& meter) {
   const Fraction value = parse_fraction(text, where, meter);

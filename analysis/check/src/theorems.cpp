@@ -8,7 +8,7 @@
 namespace twoscale::check {
 namespace {
 
-constexpr std::array<Theorem, 8> list{{
+constexpr std::array<Theorem, 13> list{{
     {"definition", "nothing beyond the definition",
      "The property is, by definition, the identity that was verified (interpolatory: a_{mj} = 1 for j = 0, else 0; "
      "symmetric about c: a_{2c-i} = a_i; sum rules of order N: for r < N the sums of i^r a_i over i = s mod m do not "
@@ -56,6 +56,53 @@ constexpr std::array<Theorem, 8> list{{
      "a_2 > a_0, a_2 + a_0 > |a_1|; n = 3: a(1) > 0, a(-1) < 0, a_3 > |a_0|, a_3^2 - a_0^2 > |a_3 a_1 - a_2 a_0|. With "
      "x = (u+1)/(u-1) they lie in Re u < 0; for a(1) > 0 this holds if and only if all coefficients of (u-1)^n a(x) as "
      "a polynomial in u and its Hurwitz determinants of orders n-1, n-3, ... are positive."},
+    {"spectral-radius", "Rota-Strang 1960; Schur 1917, Cohn 1922",
+     "The joint spectral radius JSR of finitely many square matrices B_s is the limit of max |B_w|^{1/n} over the "
+     "products B_w of n of them; it does not depend on the norm. The spectral radius of each product of n of them is "
+     "at most JSR^n. A real polynomial p of degree d >= 1 has all its complex zeros in |x| < 1 if and only if |p_0| < "
+     "|p_d| and (p_d p(x) - p_0 x^d p(1/x))/x has. If JSR "
+     "belongs to the remainder c of a(z) = m^{-N} (1+...+z^{m-1})^N c(z), a(1) = m, then the largest N-th divided "
+     "difference of the data at level k grows like JSR^k; so the Hoelder exponent of the basic limit function, if its "
+     "integer shifts are stable, is at most N - log_m(JSR), where N is the exact order of the sum rules."},
+    {"invariant-polytope", "Rota-Strang 1960; Guglielmi-Protasov 2013; Charina-Conti-Guglielmi-Protasov 2017",
+     "If finitely many points span R^d and the matrices B_s/R map each of them into the absolutely convex hull of all "
+     "of them, then this hull is the unit ball of a norm in which all B_s/R have norm at most 1: JSR <= R, and "
+     "products of the B_s/R are bounded. The JSR of block triangular matrices is the largest JSR of a diagonal block; "
+     "if only one block attains it, and products of that block, divided by powers of it, are bounded, then so are the "
+     "products of the matrices. The JSR of a set of matrices is that of its convex hull. If the B_s belong to the "
+     "remainder c of a(z) = m^{-N} (1+...+z^{m-1})^N c(z), a(1) = m, then a subdivision scheme with the mask a and "
+     "JSR < m^N converges uniformly, and the Hoelder exponent of all its limits is at least N - log_m(JSR), the "
+     "exponent being the supremum of k + h such that the k-th derivative is Hoelder continuous of the order h; if the "
+     "integer shifts of the basic limit function are stable, that of this function is N - log_m(JSR), where N is the "
+     "exact order of the sum rules."},
+    {"nonnegative-symbol", "Dubuc 1986; Deslauriers-Dubuc 1989; Rioul 1992; Villemoes 1994 (autocorrelation)",
+     "Let g(z) = sum over |k| <= h of g_k z^k, g_{-k} = g_k, be non-negative on |z| = 1, and g^{(k)}(z) the product of"
+     " g(z^{m^i}), i < k. Then g^{(k)} has no coefficient larger in absolute value than its coefficient at z^0, which "
+     "is (M^k)_{00} for the matrix M_{ij} = g_{i-mj} + (j > 0 ? g_{i+mj} : 0), 0 <= i, j <= max(0, h-1)/(m-1) rounded "
+     "down. So the k-th root of the largest coefficient tends to the spectral radius of M on the span of e_0, M e_0, "
+     "..., and this is the largest real zero rho of the minimal polynomial of e_0 (Pringsheim). If g(z) = z^{-h} c(z),"
+     " c the remainder of a(z) = m^{-N} (1+...+z^{m-1})^N c(z), a(1) = m, then rho is the joint spectral radius that "
+     "belongs to c: if rho < m^N, the scheme converges and the Hoelder exponent of its limits is at least N - "
+     "log_m(rho), with equality for the basic limit function if its integer shifts are stable and N is the exact "
+     "order of the sum rules. If g(z) = c(z) c(1/z), then the basic limit function lies in the Sobolev spaces of all "
+     "orders less than N - log_m(rho/m)/2, and in none of larger order if its integer shifts are stable."},
+    {"jia-wang", "Jia-Wang 1993 (m = 2; the argument is the same for any m); Jia-Micchelli 1991",
+     "Let a(1) = m and phi be the basic limit function, whose Fourier transform at t is the product over k >= 1 of "
+     "a(exp(-i t/m^k))/m. Its integer shifts are stable, that is, for no real t the transform vanishes at t + 2 pi k "
+     "for all integers k (for phi in L_p, this is stability in L_p), if and only if (i) the sub-symbols sum over j of "
+     "a_{mj+s} z^j, s = 0..m-1, have no common zero with |z| = 1, and (ii) there is no n > 1 prime to m such that for "
+     "the primitive n-th roots of unity w all sums over i = s mod m of a_i w^i, s = 0..m-1, are equal; equivalently, "
+     "the n-th cyclotomic polynomial, irreducible over Q, divides their differences. Its degree is at least "
+     "sqrt(n/2)."},
+    {"nonstationary", "Dyn-Levin 1995; Charina-Conti-Guglielmi-Protasov 2017",
+     "Let masks of bounded support depend on the level through v^k only, with no constants, v^k - 1 = O(m^{-2k}) by "
+     "T_m(v^{k+1}) = v^k. If the mask is continuous at the limit (all v = 1), the masks of the levels tend to the "
+     "limit mask a so fast that |a^{[k]}(1) - m| is summable, where a(1) = m. Exact generation of N exponential "
+     "polynomials makes the derivatives of order r < N of the symbol of level k at eps (eps^m = 1, eps != 1) "
+     "O(m^{-k(N-r)}): the approximate sum rules of order N. If a has sum rules of order N and its remainder the joint "
+     "spectral radius JSR < m^{N-l}, l >= 0, then the level-dependent scheme converges, from every level on and for "
+     "every v^0 > -1 for which no step has a pole, and its limits are C^l with a Hoelder exponent of at least N - "
+     "log_m(JSR)."},
 }};
 
 }  // namespace

@@ -42,6 +42,16 @@ Dense negated_remainder(Dense p, const Dense& g, Meter& meter) {
   return primitive(std::move(p), meter);
 }
 
+/// Divides p by (x - a) as often as possible; has it been possible?
+bool divide_out(Dense& p, const Fraction& a, Meter& meter) {
+  bool divided = false;
+  while (p.size() > 1 && sign_at(p, a.numerator, a.denominator, meter) == 0) {
+    p = *quotient(p, {-a.numerator, a.denominator}, meter);
+    divided = true;
+  }
+  return divided;
+}
+
 int count_variations(const std::vector<int>& signs) {
   int count = 0, last = 0;
   for (const int s : signs) {
@@ -148,6 +158,101 @@ int SturmChain::zeros_beyond(const Integer& a, const Integer& b, Meter& meter) c
     infinity.push_back(p.back().sign());
   }
   return count_variations(here) - count_variations(infinity);
+}
+
+Dense gcd(const Dense& p, const Dense& q, Meter& meter) {
+  Dense a = primitive(p, meter), b = primitive(q, meter);
+  if (a.size() < b.size()) a.swap(b);
+  while (!b.empty()) {
+    Dense rest = negated_remainder(std::move(a), b, meter);
+    a = std::exchange(b, std::move(rest));
+  }
+  if (a.back() < 0) {
+    for (Integer& c : a) c = -c;
+  }
+  return a;
+}
+
+Dense squarefree(const Dense& p, Meter& meter) {
+  const Dense whole = primitive(p, meter);
+  return *quotient(whole, gcd(whole, derivative(whole), meter), meter);
+}
+
+Dense odd_part(const Dense& p, Meter& meter) {
+  Dense rest = primitive(p, meter);  // product of p_j^{j-i} over j > i; simple = product of p_j over j >= i
+  rest = gcd(rest, derivative(rest), meter);
+  Dense simple = squarefree(p, meter);
+  Dense result{Integer(1)};
+  for (int i = 1; simple.size() > 1; ++i) {
+    const Dense next = gcd(simple, rest, meter);
+    const Dense factor = *quotient(simple, next, meter);  // p_i
+    if (i % 2 == 1) {
+      Dense product(result.size() + factor.size() - 1);
+      for (std::size_t j = 0; j < result.size(); ++j) {
+        for (std::size_t k = 0; k < factor.size(); ++k) product[j + k] += meter.multiply(result[j], factor[k]);
+      }
+      result = std::move(product);
+    }
+    rest = *quotient(rest, next, meter);
+    simple = next;
+  }
+  return result;
+}
+
+int zeros_within(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter) {
+  Dense rest = primitive(p, meter);
+  const bool at_low = divide_out(rest, low, meter);
+  const bool at_high = divide_out(rest, high, meter);
+  const SturmChain chain(rest, meter);
+  return (at_low ? 1 : 0) + (at_high ? 1 : 0) + chain.zeros_beyond(low.numerator, low.denominator, meter) -
+         chain.zeros_beyond(high.numerator, high.denominator, meter);
+}
+
+int zeros_from(const Dense& p, const Fraction& low, Meter& meter) {
+  Dense rest = primitive(p, meter);
+  const bool at_low = divide_out(rest, low, meter);
+  return (at_low ? 1 : 0) + SturmChain(rest, meter).zeros_beyond(low.numerator, low.denominator, meter);
+}
+
+int zeros_between(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter) {
+  Dense rest = primitive(p, meter);
+  divide_out(rest, low, meter);
+  divide_out(rest, high, meter);
+  return zeros_within(rest, low, high, meter);
+}
+
+bool is_schur_stable(Dense p, Meter& meter) {
+  while (p.size() > 1) {
+    const Integer first = p.front();
+    const Integer last = p.back();
+    if (abs(first) >= abs(last)) return false;
+    Dense next(p.size() - 1);
+    for (std::size_t i = 1; i < p.size(); ++i) {
+      next[i - 1] = meter.multiply(last, p[i]) - meter.multiply(first, p[p.size() - 1 - i]);
+    }
+    p = primitive(std::move(next), meter);
+  }
+  return true;
+}
+
+Dense cosine_sum(const std::vector<Integer>& g, Meter& meter) {
+  // Clenshaw: b_k = 2 g_k + 2 x b_{k+1} - b_{k+2} for k >= 1; g_0 + x b_1 - b_2.
+  Dense later(g.size() + 1), last(g.size() + 1), next(g.size() + 1);
+  for (std::size_t k = g.size(); k-- > 0;) {
+    const bool end = k == 0;
+    const std::size_t degree = g.size() - 1 - k;
+    meter.spend(20 * (degree + 1));
+    for (std::size_t i = 0; i <= degree; ++i) {
+      next[i] = -last[i];
+      if (i > 0) next[i] += end ? later[i - 1] : Integer(later[i - 1] << 1);
+      meter.spend(2 * words(next[i]));
+    }
+    next[0] += end ? g[k] : Integer(g[k] << 1);
+    last.swap(later);
+    later.swap(next);
+  }
+  trim(later);
+  return later;
 }
 
 bool has_zero_beyond_cos(const Dense& polynomial, int m, Meter& meter) {

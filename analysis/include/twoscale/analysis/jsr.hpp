@@ -90,7 +90,8 @@ BlockForm block_triangular_form(const Family& family);
 
 // B_{w_n} ... B_{w_1}.
 RationalMatrix product(const Family& family, const Word& word);
-// max |eigenvalue| if it belongs to a real eigenvalue: then that eigenvalue. nullopt if only a complex pair attains it.
-std::optional<RealAlgebraic> leading_eigenvalue(const RationalMatrix& a);
+// The real eigenvalues of largest modulus, the positive one first; empty if a complex pair is (in floating point) beyond
+// them.
+std::vector<RealAlgebraic> leading_eigenvalues(const RationalMatrix& a);
 
 }  // namespace twoscale::analysis

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Room: the independent checker. What a certificate is about: variables, shift, mask, spaces.
+// Room: the independent checker. What a certificate is about: a mask with its variables, or matrices; spaces.
 #pragma once
 
 #include "twoscale/check/json.hpp"
+#include "twoscale/check/matrix.hpp"
 #include "twoscale/check/number.hpp"
 #include "twoscale/check/polynomial.hpp"
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace twoscale::check {
@@ -21,9 +23,8 @@ struct Mask {
   long highest() const { return lowest + static_cast<long>(numerators.size()) - 1; }
 };
 
+/// A mask, and what it takes to read one.
 struct Certificate {
-  std::string scheme;              ///< a label, not checked
-  bool has_mask = true;            ///< false: the claims state themselves what they are about; nothing below is set
   int arity = 2;                   ///< m
   std::vector<std::string> names;  ///< of the variables, sorted
   std::vector<std::size_t> level;  ///< indices of the level variables
@@ -37,6 +38,20 @@ struct Certificate {
   bool single_level() const { return names.size() == 1 && level.size() == 1; }
 };
 
+/// Square matrices of one size; at least one.
+struct Family {
+  std::vector<Matrix> matrices;
+};
+
+/// Nothing: the claims state themselves what they are about.
+struct Standalone {};
+
+/// Everything before "claims".
+struct Head {
+  std::string scheme;  ///< a label, not checked
+  std::variant<Certificate, Family, Standalone> subject;
+};
+
 /// x^j exp(theta x), j < order, exp(theta/m^{k+1}) = product of E_i^frequency[i] over the level variables.
 struct Exponential {
   std::vector<long> frequency;
@@ -45,7 +60,7 @@ struct Exponential {
 using Space = std::vector<Exponential>;
 
 /// Reads everything before "claims".
-Certificate read_certificate(Fields& fields, Meter& meter);
+Head read_head(Fields& fields, Meter& meter);
 
 /// Reads a space: sorted by frequency, distinct, orders 1..512; empty only where allowed.
 Space read_space(const Value& value, const Certificate& certificate, const std::string& where, bool may_be_empty);

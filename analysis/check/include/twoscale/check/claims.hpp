@@ -12,9 +12,22 @@
 
 namespace twoscale::check {
 
+/// Upper bounds, established by the claims so far, of the joint spectral radius that belongs to the limit mask.
+struct RadiusBounds {
+  std::vector<Fraction> list;
+};
+
+/// For claims about a mask.
 struct Context {
   const Certificate& certificate;
   Identities& identities;
+  Meter& meter;
+  RadiusBounds& radius;
+};
+
+/// For claims about matrices.
+struct FamilyContext {
+  const Family& family;
   Meter& meter;
 };
 
@@ -34,11 +47,25 @@ Finding check_generates(const Context& context, Fields& fields, bool proved);
 Finding check_reproduces(const Context& context, Fields& fields, bool proved);
 Finding check_maximal(const Context& context, Fields& fields, bool proved);
 Finding check_well_defined(const Context& context, Fields& fields, bool proved);
-Finding check_positivity(const Context& context, Fields& fields, bool proved);
-Finding check_root_bound(const Context& context, Fields& fields, bool proved);
+Finding check_positivity(Meter& meter, Fields& fields, bool proved);
+Finding check_root_bound(Meter& meter, Fields& fields, bool proved);
 
 /// The theorem that a claim `positivity` must name: by its method, or by its witness.
 std::string_view positivity_theorem(const Value& claim);
+
+/// The claims about the remainder of the limit mask (remainder.hpp), or about the matrices of the document.
+Finding check_jsr_lower(const Context& context, Fields& fields, bool proved);
+Finding check_jsr_upper(const Context& context, Fields& fields, bool proved);
+Finding check_jsr_exact(const Context& context, Fields& fields, bool proved);
+Finding check_family_jsr_lower(const FamilyContext& context, Fields& fields, bool proved);
+Finding check_family_jsr_upper(const FamilyContext& context, Fields& fields, bool proved);
+Finding check_family_jsr_exact(const FamilyContext& context, Fields& fields, bool proved);
+Finding check_nonnegative_symbol(const Context& context, Fields& fields, bool proved);
+Finding check_stability(const Context& context, Fields& fields, bool proved);
+Finding check_nonstationary(const Context& context, Fields& fields, bool proved);
+
+/// For kinds of claims that cannot be refuted.
+void require_proved(const Fields& fields, bool proved);
 
 /// A witness against generation: at the point the sums of i^power a_i z^i over two residue classes have the two values,
 /// and these differ. Throws Malformed or Refused.

@@ -37,6 +37,10 @@ class Fields {
   const Value& take(std::string_view key);
   /// Is this the key of the next member?
   bool next_is(std::string_view key) const { return next_ < object_.keys.size() && object_.keys[next_] == key; }
+  /// Is the next member called `key`, a string, and equal to `text`?
+  bool next_is_text(std::string_view key, std::string_view text) const {
+    return next_is(key) && object_.items[next_].kind == Value::Kind::string && object_.items[next_].text == text;
+  }
   /// Every member has been taken.
   void done() const;
   std::string path(std::string_view key) const;

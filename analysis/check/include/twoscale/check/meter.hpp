@@ -33,6 +33,7 @@ inline constexpr int degree = 4096;
 inline constexpr std::size_t mask_length = 4096;
 inline constexpr long order = 512;
 inline constexpr std::size_t list_items = 4096;
+inline constexpr std::size_t matrix = 256;                       // rows
 inline constexpr std::uint64_t work = 30'000'000'000;            // word operations
 inline constexpr std::uint64_t memory = std::uint64_t{1} << 30;  // bytes
 }  // namespace limits

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "twoscale/check/meter.hpp"
+#include "twoscale/check/number.hpp"
 #include "twoscale/check/polynomial.hpp"
 
 #include <optional>
@@ -38,6 +39,27 @@ class SturmChain {
  private:
   std::vector<Dense> chain_;
 };
+
+/// Greatest common divisor, primitive with positive leading coefficient; not both zero.
+Dense gcd(const Dense& p, const Dense& q, Meter& meter);
+
+/// The primitive polynomial with the zeros of p (not zero), each of them simple.
+Dense squarefree(const Dense& p, Meter& meter);
+
+/// The same with the zeros of odd multiplicity only.
+Dense odd_part(const Dense& p, Meter& meter);
+
+/// Number of distinct zeros of p (not zero) in [low, high], low <= high; in [low, infinity); in (low, high).
+int zeros_within(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter);
+int zeros_from(const Dense& p, const Fraction& low, Meter& meter);
+int zeros_between(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter);
+
+/// Do all complex zeros of p (not zero) lie in |x| < 1? Schur and Cohn: a polynomial p of degree d >= 1 has this
+/// property if and only if |p_0| < |p_d| and (p_d p(x) - p_0 x^d p(1/x))/x has it.
+bool is_schur_stable(Dense p, Meter& meter);
+
+/// sum_{k=-h}^{h} g_{|k|} z^k for z = exp(i t), as a polynomial in cos(t): g_0 + 2 sum_{k>0} g_k T_k.
+Dense cosine_sum(const std::vector<Integer>& g, Meter& meter);
 
 /// Sign of p(a/b), b > 0.
 int sign_at(const Dense& p, const Integer& a, const Integer& b, Meter& meter);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room: the independent checker. Claim `nonnegative-symbol`: the joint spectral radius as a spectral radius.
+#include "twoscale/check/claims.hpp"
+#include "twoscale/check/radius.hpp"
+#include "twoscale/check/remainder.hpp"
+
+#include <algorithm>
+
+namespace twoscale::check {
+namespace {
+
+/// g_0, ..., g_h for g(z) = z^{-h} c(z), c symmetric of degree 2h; Refused otherwise.
+std::vector<Integer> centred(const Coefficients& c) {
+  if (c.list.size() % 2 == 0 || !std::equal(c.list.begin(), c.list.end(), c.list.rbegin())) {
+    throw Refused("the remainder is not symmetric of even degree");
+  }
+  return {c.list.begin() + static_cast<std::ptrdiff_t>(c.list.size() / 2), c.list.end()};
+}
+
+/// g_0, ..., g_h for g(z) = c(z) c(1/z), h the degree of c.
+std::vector<Integer> autocorrelation(const Coefficients& c, Meter& meter) {
+  std::vector<Integer> g(c.list.size());
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    for (std::size_t i = 0; i + k < g.size(); ++i) g[k] += meter.multiply(c.list[i], c.list[i + k]);
+  }
+  return g;
+}
+
+/// M_{ij} = g_{i-mj} + (j > 0 ? g_{i+mj} : 0), 0 <= i, j <= (h-1)/(m-1).
+Matrix transition(const std::vector<Integer>& g, const Integer& scale, long arity, Meter& meter) {
+  const long h = static_cast<long>(g.size()) - 1;
+  const long size = std::max(0L, h - 1) / (arity - 1) + 1;
+  if (size > static_cast<long>(limits::matrix)) {
+    throw Malformed("the mask leads to a matrix of more than " + std::to_string(limits::matrix) + " rows");
+  }
+  const auto at = [&](long k) { return std::abs(k) <= h ? g[static_cast<std::size_t>(std::abs(k))] : Integer(0); };
+  Matrix m{static_cast<std::size_t>(size), {}, scale};
+  for (long i = 0; i < size; ++i) {
+    for (long j = 0; j < size; ++j) {
+      m.entries.push_back(at(i - arity * j));
+      if (j > 0) m.entries.back() += at(i + arity * j);
+      meter.hold(sizeof(Integer) + 8 * words(m.entries.back()));
+      meter.spend(20);
+    }
+  }
+  reduce(m.entries, m.scale, meter);
+  return m;
+}
+
+}  // namespace
+
+Finding check_nonnegative_symbol(const Context& context, Fields& fields, bool proved) {
+  require_proved(fields, proved);
+  Meter& meter = context.meter;
+  const long order = fields.take_integer("order", 0, limits::order);
+  const std::string& of = fields.take_string("of");
+  if (of != "remainder" && of != "autocorrelation") {
+    throw Malformed(fields.path("of") + ": \"remainder\" or \"autocorrelation\" is expected");
+  }
+  Fields object(fields.take("radius"), fields.path("radius"));
+  const Radius radius = read_radius(object, meter);
+  object.done();
+
+  const bool itself = of == "remainder";
+  const Coefficients c = exact_remainder(context, order);
+  const std::vector<Integer> g = itself ? centred(c) : autocorrelation(c, meter);
+  if (itself && zeros_between(odd_part(cosine_sum(g, meter), meter), {-1, 1}, {1, 1}, meter) != 0) {
+    throw Refused("the symbol of the remainder changes its sign");  // at z = 1 it is m > 0
+  }
+  const Integer scale = itself ? c.scale : meter.multiply(c.scale, c.scale);
+  const Matrix matrix = transition(g, scale, context.certificate.arity, meter);
+  std::vector<Integer> unit(matrix.size);
+  unit[0] = 1;
+  const Dense mu = minimal_polynomial(matrix, std::move(unit), meter);
+  if (!quotient(mu, radius.polynomial, meter)) {
+    throw Refused("the polynomial of the radius does not divide the minimal polynomial of e_0");
+  }
+  if (zeros_from(mu, radius.low, meter) != 1) throw Refused("the radius is not the largest zero");
+
+  const std::string n = std::to_string(order), log = "log_" + std::to_string(context.certificate.arity);
+  if (itself) {
+    context.radius.list.push_back(radius.high);
+    return {"of the remainder of order " + n + ": rho = " + radius.text,
+            "the symbol is non-negative, rho the largest zero of a minimal polynomial of degree " +
+                std::to_string(mu.size() - 1) + "; Hoelder exponent of the limits >= " + n + " - " + log +
+                "(rho) if this is positive, = if the integer shifts are stable",
+            {"nonnegative-symbol", "sturm"}};
+  }
+  return {"of the autocorrelation of the remainder of order " + n + ": rho = " + radius.text,
+          "rho is the largest zero of a minimal polynomial of degree " + std::to_string(mu.size() - 1) +
+              "; Sobolev exponent of the basic limit function >= " + n + " - " + log + "(rho/" +
+              std::to_string(context.certificate.arity) + ")/2, = if its integer shifts are stable",
+          {"nonnegative-symbol", "sturm"}};
+}
+
+}  // namespace twoscale::check
