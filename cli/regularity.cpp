@@ -35,7 +35,7 @@ struct Options {
   std::string over;
   std::string matrices;
   std::string certificate;
-  std::string width = "1/1000";
+  std::string width = "1/10000";
   size_t vertices = 1500;
 };
 
@@ -493,7 +493,7 @@ void add_regularity_command(CLI::App& app, Session& session) {
   c->add_option("--matrices", o->matrices, "JSON list of rational matrices: their joint spectral radius alone")
       ->type_name("FILE");
   c->add_option("--certificate", o->certificate, "write the certificate here")->type_name("FILE");
-  c->add_option("--width", o->width, "relative width of an enclosure of the radius to reach, 1/1000 by default")
+  c->add_option("--width", o->width, "relative width of an enclosure of the radius to reach, 1/10000 by default")
       ->type_name("Q");
   c->add_option("--vertices", o->vertices, "most vertices of a polytope, 1500 by default")
       ->check(CLI::Range(4, 100000));

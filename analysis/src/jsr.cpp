@@ -13,6 +13,7 @@
 
 #include "jsr_search.hpp"
 #include "number_field.hpp"
+#include "twoscale/analysis/deadline.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::analysis {
@@ -31,18 +32,6 @@ constexpr long working_bits = 192;    // of the balls that certify
 constexpr double interior = 1e-7;     // an image this far inside is proved to be inside; others become vertices
 constexpr size_t most_cycles = 8;     // roots of one tree
 constexpr double coincidence = 1e-9;  // images this near to a vertex are tried as equal to it
-
-class Deadline {
- public:
-  explicit Deadline(double seconds)
-      : end_(std::chrono::steady_clock::now() +
-             std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds))) {}
-  bool passed() const { return std::chrono::steady_clock::now() > end_; }
-  double left() const { return std::chrono::duration<double>(end_ - std::chrono::steady_clock::now()).count(); }
-
- private:
-  std::chrono::steady_clock::time_point end_;
-};
 
 void report(const JsrOptions& options, const std::string& line) {
   if (options.progress) options.progress(line);
@@ -501,6 +490,14 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     exact.depth.push_back(0);
   }
 
+  for (long i = 0; i < d && options.extra.sign() > 0; ++i) {
+    FieldVector u(static_cast<size_t>(d));
+    fmpq_poly_set_fmpq(u[static_cast<size_t>(i)].raw(), options.extra.raw());
+    roots.push_back(estimate_vector(u));
+    exact.u.push_back(std::move(u));
+    exact.depth.push_back(0);
+  }
+
   const Polytope p = estimate_polytope(normalised, roots, 0, options.vertices, deadline);
   if (p.better) return {std::nullopt, p.better, {}};
   if (!p.closed) {
@@ -628,6 +625,13 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     for (const auto& c : primitive[i]) entries.push_back(integer_text(c));
     const int sign = cycles[i].sign;
     root_list.push_back(root_json(cycles[i].word, sign, scales[i], entries));
+  }
+  for (size_t i = cycles.size(); i < p.roots; ++i) {
+    std::vector<std::string> unit(static_cast<size_t>(d), "0");
+    unit[i - cycles.size()] = "1";
+    root_list.push_back(root_json({}, 1, options.extra, unit));
+    shape.words.emplace_back();
+    shape.signs.push_back(1);
   }
   return {block_json(d, "", root_list, p.tree, inner, images), std::nullopt, std::move(shape)};
 }
@@ -867,7 +871,7 @@ JsrResult enclosed(const Family& family, const BlockForm& form, const Searched& 
   std::optional<Json> best;
   const auto attempt = [&](double margin, double share) {
     const Rational bound = outward(found.radius * (1 + margin), 1);
-    const Deadline part(std::max(0.0, deadline.left() * share));
+    const Deadline part(deadline.left() * share);
     auto claim = prove_upper(form, found, bound, subject, options, part);
     if (!claim) return false;
     best = std::move(claim);

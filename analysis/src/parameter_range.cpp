@@ -12,6 +12,7 @@
 
 #include "affine_family.hpp"
 #include "twoscale/analysis/certificate.hpp"
+#include "twoscale/analysis/deadline.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::analysis {
@@ -130,29 +131,33 @@ std::vector<RadiusRange> central_ranges(const AffineFamily& family, const RealAl
   return list;
 }
 
-// C^l or not on the non-negative range, exactly: rho(w) - tau keeps its sign between the zeros of chi(w, tau).
-void central_continuity(const AffineFamily& family, const RealAlgebraic& from, const RealAlgebraic& to, long l,
-                        ContinuityRange& result, std::vector<Json>& claims) {
+// C^l or not where rho(w) is known to be a zero of F(w, x), exactly: rho(w) - tau keeps its sign between the zeros of
+// F(w, tau). At such a zero next to rho < tau it is rho = tau, because rho is continuous and no real zero of F is larger.
+void exact_continuity(const AffineFamily& family, const RadiusRange& range, long l, ContinuityRange& result,
+                      std::vector<Json>& claims) {
   const Rational tau = Rational(family.arity()).pow(family.order() - l);
-  std::vector<RealAlgebraic> cuts{from, to};
-  zeros_inside(at_value(family.central_characteristic_polynomial(), "x", tau), from, to, cuts);
+  const Polynomial level = at_value(range.polynomial, "x", tau);
+  std::vector<RealAlgebraic> cuts{range.interval.from, range.interval.to};
+  zeros_inside(level, range.interval.from, range.interval.to, cuts);
   sort_distinct(cuts);
-  const auto reaches = [&](const RealAlgebraic& w) {  // rho(w) >= tau at a cut: exactly if rational, else only at a zero
-    if (const auto q = w.rational()) return RealAlgebraic::compare(central_at(family, *q), tau) >= 0;
-    return true;
+  const auto reaches = [&](const RealAlgebraic& w) {
+    return level.is_zero() || Polynomial::quotient(level, w.polynomial().substitute("x", Polynomial::variable(family.name())));
   };
+  const bool central = range.method == "nonnegative symbol";
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Rational w = rational_between(cuts[i], cuts[i + 1]);
-    const bool below = RealAlgebraic::compare(central_at(family, w), tau) < 0;
+    const RealAlgebraic rho =
+        central ? central_at(family, w) : *joint_spectral_radius(family.matrices_at(w), {}, {}).exact;
+    const bool below = RealAlgebraic::compare(rho, tau) < 0;
     ParameterInterval interval{cuts[i], cuts[i + 1], true, true};
     if (below) {
       interval.from_included = !reaches(cuts[i]);
       interval.to_included = !reaches(cuts[i + 1]);
     }
-    // Rational ends inside, for the certificate.
-    Rational low = interval.from.rational().value_or(interval.from.upper());
-    Rational high = interval.to.rational().value_or(interval.to.lower());
-    if (low < high) {
+    // Rational ends inside, for the certificate. The polytopes have claims of their own.
+    const Rational low = interval.from.rational().value_or(interval.from.upper());
+    const Rational high = interval.to.rational().value_or(interval.to.lower());
+    if (central && low < high) {
       Json claim;
       claim["claim"] = "nonnegative-family";
       claim["verdict"] = "proved";
@@ -167,6 +172,20 @@ void central_continuity(const AffineFamily& family, const RealAlgebraic& from, c
   }
 }
 
+// The parts of [from, to] outside the ranges (ascending), with rational ends, none very short.
+std::vector<std::pair<Rational, Rational>> gaps_between(const std::vector<RadiusRange>& ranges, const Rational& from,
+                                                        const Rational& to) {
+  std::vector<std::pair<Rational, Rational>> gaps;
+  Rational low = from;
+  for (const auto& r : ranges) {
+    const Rational high = r.interval.from.rational().value_or(r.interval.from.upper());
+    if (low < high) gaps.emplace_back(low, high);
+    low = r.interval.to.rational().value_or(r.interval.to.lower());
+  }
+  if (low < to) gaps.emplace_back(low, to);
+  return gaps;
+}
+
 // ---- Cells
 
 struct Cell {
@@ -178,9 +197,15 @@ struct Cell {
 class CellProver {
  public:
   CellProver(const AffineFamily& family, const ParameterOptions& options, Rational resolution)
-      : family_(family), options_(options), resolution_(std::move(resolution)) {
+      : family_(family),
+        options_(options),
+        resolution_(std::move(resolution)),
+        deadline_(options.regularity.jsr.seconds / 2) {
     options_.regularity.jsr.progress = nullptr;
-    options_.regularity.jsr.seconds = std::min(options_.regularity.jsr.seconds, 10.0);
+    // Many small problems: each is given up early, a shorter interval is easier.
+    options_.regularity.jsr.seconds = std::min(options_.regularity.jsr.seconds, 1.0);
+    options_.regularity.jsr.vertices = std::min<size_t>(options_.regularity.jsr.vertices, 250);
+    options_.regularity.jsr.width = std::max(options_.regularity.jsr.width, Rational(1, 1000));
   }
 
   Rational threshold(long l) const { return Rational(family_.arity()).pow(family_.order() - l); }
@@ -190,7 +215,9 @@ class CellProver {
       const std::lock_guard lock(mutex_);
       if (const auto found = cache_.find(w); found != cache_.end()) return found->second;
     }
-    JsrResult r = joint_spectral_radius(family_.matrices_at(w), {}, options_.regularity.jsr);
+    JsrOptions search = options_.regularity.jsr;
+    search.seconds *= 3;
+    JsrResult r = joint_spectral_radius(family_.matrices_at(w), {}, search);
     const std::lock_guard lock(mutex_);
     return cache_.emplace(w, std::move(r)).first->second;
   }
@@ -210,7 +237,10 @@ class CellProver {
     return prove_jsr_below(both, tau, subject, options_.regularity.jsr);
   }
 
+  bool late() const { return deadline_.passed(); }
+
   void run(const Rational& low, const Rational& high, const Rational& tau, Cell& cell) {
+    if (late()) return;
     const int a = side(low, tau);
     const int b = side(high, tau);
     if (a == 1 && b == 1) {
@@ -303,6 +333,7 @@ class CellProver {
   const AffineFamily& family_;
   ParameterOptions options_;
   Rational resolution_;
+  Deadline deadline_;
   std::mutex mutex_;
   std::map<Rational, JsrResult> cache_;
 };
@@ -353,7 +384,7 @@ std::optional<ParameterInterval> largest_joint(CellProver& prover, const std::ve
       const Rational centre = low + (high - low) * Rational(static_cast<long>(k) + 1, 6);
       Rational inside = 0;
       Rational outside = 1;
-      for (int step = 0; step < 7; ++step) {
+      for (int step = 0; step < 7 && !prover.late(); ++step) {
         const Rational t = middle(inside, outside);
         const Rational l = centre - (centre - low) * t;
         const Rational h = centre + (high - centre) * t;
@@ -370,7 +401,7 @@ std::optional<ParameterInterval> largest_joint(CellProver& prover, const std::ve
     if (!best.claim || best.low < low || best.high > high) continue;
     for (const bool right : {true, false}) {
       Rational outside = right ? high : low;
-      while (abs(outside - (right ? best.high : best.low)) > resolution) {
+      while (abs(outside - (right ? best.high : best.low)) > resolution && !prover.late()) {
         const Rational next = middle(right ? best.high : best.low, outside);
         const Rational l = right ? best.low : next;
         const Rational h = right ? next : best.high;
@@ -424,21 +455,16 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
     const Rational tau = prover.threshold(l);
     ContinuityRange range;
     range.l = l;
-    std::vector<Rational> grid;
-    for (const auto& [w, r] : result.samples) grid.push_back(w);
+    for (const auto& r : result.radius) exact_continuity(family, r, l, range, claims);
     std::vector<std::pair<Rational, Rational>> cells;
-    if (central) {
-      central_continuity(family, central->first, central->second, l, range, claims);
-      const Rational inner_low = central->first.rational().value_or(central->first.upper());
-      const Rational inner_high = central->second.rational().value_or(central->second.lower());
-      grid.push_back(inner_low);
-      grid.push_back(inner_high);
-      std::sort(grid.begin(), grid.end());
-      for (size_t i = 0; i + 1 < grid.size(); ++i)
-        if (grid[i] < grid[i + 1] && (grid[i + 1] <= inner_low || grid[i] >= inner_high))
-          cells.emplace_back(grid[i], grid[i + 1]);
-    } else {
-      for (size_t i = 0; i + 1 < grid.size(); ++i) cells.emplace_back(grid[i], grid[i + 1]);
+    for (const auto& [low, high] : gaps_between(result.radius, from, to)) {
+      Rational left = low;
+      for (const auto& [w, r] : result.samples)
+        if (left < w && w < high) {
+          cells.emplace_back(left, w);
+          left = w;
+        }
+      cells.emplace_back(left, high);
     }
     std::vector<Cell> done(cells.size());
     in_parallel(cells.size(), options.threads,

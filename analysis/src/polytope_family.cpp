@@ -7,10 +7,10 @@
 // the joint spectral radius is continuous. Where rho(w) is quadratic over Q(w) and the curve is a conic with a rational
 // point, w = phi(u) makes rho rational.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "affine_family.hpp"
+#include "twoscale/analysis/deadline.hpp"
 #include "twoscale/analysis/matrix.hpp"
 
 namespace twoscale::analysis {
@@ -201,6 +201,24 @@ std::optional<Followed> follow(const AffineFamily& family, const Parametrization
   std::vector<FunctionVector> x;
   Json roots = Json::array();
   for (size_t i = 0; i < shape.words.size(); ++i) {
+    if (shape.words[i].empty()) {  // an arbitrary vertex: a multiple of a unit vector
+      FunctionVector constant;
+      std::vector<std::string> text;
+      Rational scale;
+      for (const auto& c : shape.roots[i]) {
+        constant.emplace_back(c);
+        text.push_back(c.is_zero() ? "0" : "1");
+        if (!c.is_zero()) scale = c;
+      }
+      x.push_back(std::move(constant));
+      Json root;
+      root["word"] = Json::array();
+      root["sign"] = 1;
+      root["scale"] = scale.to_string();
+      root["vector"] = text;
+      roots.push_back(std::move(root));
+      continue;
+    }
     M power = M::identity(d);
     for (const int s : shape.words[i]) power = product(b[static_cast<size_t>(s)], power);
     const RationalFunction lambda =
@@ -315,7 +333,7 @@ std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Ratio
                                          const std::optional<std::pair<RealAlgebraic, RealAlgebraic>>& without,
                                          const JsrOptions& options, std::vector<Json>& claims) {
   std::vector<RadiusRange> list;
-  if (family.matrices()[0].size() > 6) return list;  // rational functions grow too fast
+  if (family.matrices()[0].size() > 4) return list;  // rational functions grow too fast
   struct Gap {
     RealAlgebraic low;
     RealAlgebraic high;
@@ -332,13 +350,10 @@ std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Ratio
   }
   JsrOptions search = options;
   search.progress = nullptr;
-  search.seconds = 5;
+  search.seconds = 2;
   search.vertices = 60;
-  const auto start = std::chrono::steady_clock::now();
-  const auto late = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > options.seconds / 3;
-  };
-  for (int attempts = 0; !gaps.empty() && attempts < 64 && !late(); ++attempts) {
+  const Deadline deadline(options.seconds / 6);
+  for (int attempts = 0; !gaps.empty() && attempts < 64 && !deadline.passed(); ++attempts) {
     const Gap gap = gaps.back();
     gaps.pop_back();
     const Rational w0 = rational_between(gap.low, gap.high);
@@ -373,39 +388,52 @@ std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Ratio
       continue;
     }
     const Rational w1 = *curve->w.evaluate({{parameter, u}});
-    at = joint_spectral_radius(family.matrices_at(w1), {}, search);
-    // The window: where phi is monotone and stays in the gap.
-    Window window(u, std::nullopt, std::nullopt);
+    const auto rho = curve->rho.evaluate({{parameter, u}});
+    // The window: where phi is monotone and stays in the gap, and the polytope is one.
+    Window whole(u, std::nullopt, std::nullopt);
     const Polynomial n = curve->w.numerator();
     const Polynomial q = curve->w.denominator();
-    window.keep_sign(n.derivative(parameter) * q - n * q.derivative(parameter), true);
-    if (!q.is_constant()) window.keep_sign(q, true);
+    whole.keep_sign(n.derivative(parameter) * q - n * q.derivative(parameter), true);
+    if (!q.is_constant()) whole.keep_sign(q, true);
     for (const RealAlgebraic* end : {&gap.low, &gap.high}) {
-      const Polynomial pe = end->polynomial();
-      const RationalFunction composed = RationalFunction(pe).substitute("x", curve->w);
-      if (!composed.is_zero()) window.keep_sign(composed.numerator(), true);
+      const RationalFunction composed = RationalFunction(end->polynomial()).substitute("x", curve->w);
+      if (!composed.is_zero()) whole.keep_sign(composed.numerator(), true);
     }
-    const auto rho = curve->rho.evaluate({{parameter, u}});
-    if (!at.exact || !at.shape || at.shape->roots.empty() || !rho || !(*at.exact == RealAlgebraic(*rho))) {
+    struct Range {
+      RealAlgebraic low;
+      RealAlgebraic high;
+      Json claim;
+    };
+    std::optional<Range> best;
+    // More vertices may serve a longer interval, down to where the leading vectors alone would not span.
+    for (const Rational& extra : {Rational(0), Rational(1, 2), Rational(1, 4), Rational(1, 16)}) {
+      search.extra = extra;
+      at = joint_spectral_radius(family.matrices_at(w1), {}, search);
+      if (!at.exact || !at.shape || at.shape->roots.empty() || !rho || !(*at.exact == RealAlgebraic(*rho))) continue;
+      auto followed = follow(family, *curve, u, *at.shape, whole);
+      if (!followed || !followed->window.low() || !followed->window.high()) continue;
+      RealAlgebraic u_low = *followed->window.low();
+      RealAlgebraic u_high = *followed->window.high();
+      Range range{image_under(curve->w, u_low), image_under(curve->w, u_high), std::move(followed->claim)};
+      if (less(range.high, range.low)) std::swap(range.low, range.high);
+      if (less(range.low, gap.low)) range.low = gap.low;
+      if (less(gap.high, range.high)) range.high = gap.high;
+      u_low.refine(Rational(1, 1L << 40));
+      u_high.refine(Rational(1, 1L << 40));
+      range.claim["parameter"] = Json::array({u_low.upper().to_string(), u_high.lower().to_string()});
+      const bool complete = range.low == gap.low && range.high == gap.high;
+      if (!best || best->high.estimate() - best->low.estimate() < range.high.estimate() - range.low.estimate())
+        best = std::move(range);
+      if (complete) break;
+    }
+    search.extra = 0;
+    if (!best) {
       split();
       continue;
     }
-    auto followed = follow(family, *curve, u, *at.shape, std::move(window));
-    if (!followed || !followed->window.low() || !followed->window.high()) {
-      split();
-      continue;
-    }
-    RealAlgebraic u_low = *followed->window.low();
-    RealAlgebraic u_high = *followed->window.high();
-    RealAlgebraic low = image_under(curve->w, u_low);
-    RealAlgebraic high = image_under(curve->w, u_high);
-    if (less(high, low)) std::swap(low, high);
-    if (less(low, gap.low)) low = gap.low;
-    if (less(gap.high, high)) high = gap.high;
-    u_low.refine(Rational(1, 1L << 40));
-    u_high.refine(Rational(1, 1L << 40));
-    followed->claim["parameter"] = Json::array({u_low.upper().to_string(), u_high.lower().to_string()});
-    claims.push_back(std::move(followed->claim));
+    const RealAlgebraic low = best->low;
+    const RealAlgebraic high = best->high;
+    claims.push_back(std::move(best->claim));
     RadiusRange r;
     r.interval = {low, high, true, true};
     r.polynomial = *equation;

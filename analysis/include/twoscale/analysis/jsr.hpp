@@ -28,10 +28,11 @@ using Word = std::vector<int>;
 
 struct JsrOptions {
   // Stop refining when upper/lower - 1 is at most this.
-  Rational width = Rational(1, 1000);
+  Rational width = Rational(1, 10000);
   size_t vertices = 1500;     // of one polytope
   double seconds = 60;        // after that the best bounds proved so far are returned
   bool enclosure_only = false;  // do not look for the exact value
+  Rational extra = 0;           // > 0: unit vectors of this length are vertices of an exact polytope as well
   std::function<void(const std::string&)> progress;
 };
 
