@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "regularity.hpp"
 #include "session.hpp"
 #include "spectrum.hpp"
+#include "twoscale/analysis/regularity.hpp"
 #include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
@@ -34,6 +37,7 @@ struct Options {
   std::string scheme;
   std::string input;
   std::string values;
+  std::string over;
   std::string open;
   bool closed = false;
   int levels = 6;
@@ -229,8 +233,60 @@ Picture spectrum(const Scheme& s, const Options& o) {
   return p;
 }
 
+// Hölder and Sobolev exponents along a constant, sampled; the lower bounds where a value is not exact.
+Picture regularity(const Scheme& scheme, const Options& o) {
+  if (!o.input.empty()) bad_input("plot regularity takes no points", o.input);
+  if (o.at.v0 || o.at.t) bad_input("plot regularity: values are given with --at", o.at.v0 ? "--v0" : "--t");
+  if (o.over.empty()) bad_input("plot regularity needs --over NAME=[A,B]", o.scheme);
+  const Over over = parse_over(o.over);
+  const Scheme s = with_constants(scheme, o.at.at);
+  constexpr int steps = 160;
+  analysis::RegularityOptions options;
+  options.jsr.seconds = 2;
+  options.jsr.width = Rational(1, 1000);
+  std::vector<std::pair<double, analysis::Regularity>> samples;
+  std::map<long, int> orders;
+  for (int i = 0; i <= steps; ++i) {
+    const Rational w = over.from + (over.to - over.from) * Rational(i, steps);
+    samples.emplace_back(fmpq_get_d(w.raw()), analysis::regularity(with_values(s, {{over.name, w}}), options));
+    ++orders[samples.back().second.order];
+  }
+  // Single values with more sum rules are points of their own.
+  const long usual =
+      std::max_element(orders.begin(), orders.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  Line hoelder, sobolev, exceptional;
+  hoelder.title = "Hölder exponent";
+  sobolev.title = "Sobolev exponent";
+  sobolev.colour = 2;
+  exceptional.title = "Hölder, more sum rules";
+  exceptional.style = Line::Style::points;
+  exceptional.colour = 1;
+  for (const auto& [x, r] : samples) {
+    const auto add = [x = x](Line& line, const analysis::Exponent& e) {
+      if (e.lower) line.values.insert(line.values.end(), {x, fmpq_get_d(e.lower->raw())});
+    };
+    if (r.order == usual) {
+      add(hoelder, r.hoelder);
+      add(sobolev, r.sobolev);
+    } else {
+      add(exceptional, r.hoelder);
+    }
+  }
+  if (hoelder.values.empty()) bad_input("plot regularity: no exponent anywhere on the interval", o.over);
+  Picture p;
+  p.equal_axes = false;
+  p.title = s.id.size() <= 48 ? s.id : s.id.substr(0, 45) + "...";
+  p.x_label = over.name;
+  p.y_label = "exponent";
+  p.lines = {hoelder, sobolev};
+  if (!exceptional.values.empty()) p.lines.push_back(exceptional);
+  return p;
+}
+
 Picture picture(const Options& o) {
   const Scheme s = make_scheme(o.scheme);
+  if (o.kind != "regularity" && !o.over.empty()) bad_input("--over belongs to plot regularity", o.over);
+  if (o.kind == "regularity") return regularity(s, o);
   if (o.kind == "spectrum") return spectrum(s, o);
   if (o.kind == "basic") return basic(s, o);
   if (o.kind == "curve") return curve(s, o);
@@ -253,17 +309,18 @@ reports::ImageFormat format_of(const Common& common) {
 void add_plot_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();
   CLI::App* c =
-      add_command(app, session, "plot", "draw basic limit functions, curves, tension sweeps, curvature, spectra",
+      add_command(app, session, "plot", "draw basic limit functions, curves, tension sweeps, curvature, spectra, exponents",
                   {"svg", "pdf", "png"});
-  c->add_option("kind", o->kind, "basic, curve, sweep, comb, curvature or spectrum")
+  c->add_option("kind", o->kind, "basic, curve, sweep, comb, curvature, spectrum or regularity")
       ->required()
       ->type_name("KIND")
-      ->check(CLI::IsMember({"basic", "curve", "sweep", "comb", "curvature", "spectrum"}));
+      ->check(CLI::IsMember({"basic", "curve", "sweep", "comb", "curvature", "spectrum", "regularity"}));
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
-  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input; not for basic and spectrum")
+  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input; not for basic, spectrum, regularity")
       ->type_name("IN");
   add_values(c, o->at);
   c->add_option("--values", o->values, "sweep: values of v0, \"v1,v2,...\"")->type_name("LIST");
+  c->add_option("--over", o->over, "regularity: the constant and its range")->type_name("NAME=[A,B]");
   c->add_option("--levels", o->levels, "refinement steps, 6 by default")
       ->check(CLI::Range(0, most_levels))
       ->type_name("K");

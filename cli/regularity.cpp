@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // twoscale regularity: exact or enclosed exponents of a scheme, or the joint spectral radius of given matrices.
-#include "twoscale/analysis/regularity.hpp"
+#include "regularity.hpp"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -13,6 +13,7 @@
 #include "session.hpp"
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/parameter_range.hpp"
+#include "twoscale/analysis/regularity.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/symbolic/catalog.hpp"
@@ -53,7 +54,11 @@ Json algebraic_json(const RealAlgebraic& r) {
 
 std::string algebraic_text(const RealAlgebraic& r) {
   const auto text = r.expression();
-  return text ? *text : "the zero of " + r.polynomial().pretty() + " near " + decimal(r.lower());
+  if (text) return *text;
+  const std::string polynomial = r.polynomial().pretty();
+  return (polynomial.size() <= 200 ? "the zero of " + polynomial
+                                   : "the zero of a polynomial of degree " + std::to_string(r.degree())) +
+         " near " + decimal(r.lower());
 }
 
 Json optional_rational(const std::optional<Rational>& r) { return r ? Json(r->to_string()) : Json(nullptr); }
@@ -171,9 +176,9 @@ std::string regularity_text(const Scheme& s, const Regularity& r, const std::str
     out << "diverges    " << r.obstacle << "\n";
     return out.str();
   }
-  out << "remainder   c =";
-  for (const auto& c : r.c) out << " " << c.to_string();
-  out << "\n";
+  std::string remainder;
+  for (const auto& c : r.c) remainder += " " + c.to_string();
+  out << "remainder   c =" << (remainder.size() <= 300 ? remainder : " " + std::to_string(r.c.size()) + " coefficients") << "\n";
   if (r.blocks.size() > 1) {
     out << "blocks     ";
     for (const long b : r.blocks) out << " " << b;
@@ -338,21 +343,6 @@ int run_matrices(const Session& session, const Options& o) {
   return 0;
 }
 
-Scheme with_constants(Scheme scheme, const std::vector<std::string>& at) {
-  Values values;
-  values.at = at;
-  std::vector<std::pair<std::string, RationalFunction>> list;
-  for (const auto& [name, text] : values.named()) {
-    for (const auto& p : scheme.parameters)
-      if (p.name == name && p.scope == Parameter::Scope::level)
-        bad_input("the answer holds for all levels and every v^0: no value is taken for", name);
-    const RationalFunction value = parse_rational_function(text);
-    if (!value.constant()) bad_input("--at " + name + ": a rational number is expected", text);
-    list.emplace_back(name, value);
-  }
-  return with_values(scheme, list);
-}
-
 int run_scheme(const Session& session, const Options& o) {
   const Scheme scheme = with_constants(make_scheme(o.scheme), o.at);
   analysis::RegularityOptions options;
@@ -411,10 +401,15 @@ std::string over_json(const Scheme& s, const analysis::ParameterRange& r, const 
                                        {"refuted", intervals_json(c.refuted)},
                                        {"level_dependent", c.joint ? interval_json(*c.joint) : Json(nullptr)}}));
   j["continuity"] = continuity;
+  const auto sample = [&](const std::pair<Rational, Regularity>& x) {
+    return Json::object({{"value", x.first.to_string()},
+                         {"sum_rules", x.second.order},
+                         {"continuity", x.second.continuity},
+                         {"hoelder", exponent_json(x.second.hoelder)}});
+  };
+  j["exceptional"] = r.exceptional ? sample(*r.exceptional) : Json(nullptr);
   Json samples = Json::array();
-  for (const auto& [w, x] : r.samples)
-    samples.push_back(Json::object(
-        {{r.name, w.to_string()}, {"sum_rules", x.order}, {"continuity", x.continuity}, {"hoelder", exponent_json(x.hoelder)}}));
+  for (const auto& x : r.samples) samples.push_back(sample(x));
   j["samples"] = samples;
   j["certificate"] = certificate.empty() ? Json(nullptr) : Json(certificate);
   return j.dump(1);
@@ -446,6 +441,10 @@ std::string over_text(const Scheme& s, const analysis::ParameterRange& r, const 
     if (c.joint)
       out << "            any " << r.name << " at each level from " << interval_text(*c.joint) << ": " << name << "\n";
   }
+  if (r.exceptional)
+    out << "exception   " << r.name << " = " << r.exceptional->first.to_string() << ": sum rules of order "
+        << r.exceptional->second.order << ", C^" << r.exceptional->second.continuity << ", Hölder "
+        << exponent_text(r.exceptional->second.hoelder) << "\n";
   for (const auto& [w, x] : r.samples)
     out << "sample      " << r.name << " = " << w.to_string() << ": C^" << x.continuity << ", Hölder " << exponent_text(x.hoelder)
         << "\n";
@@ -455,24 +454,12 @@ std::string over_text(const Scheme& s, const analysis::ParameterRange& r, const 
 
 int run_over(const Session& session, const Options& o) {
   const Scheme scheme = with_constants(make_scheme(o.scheme), o.at);
-  const auto equals = o.over.find('=');
-  const std::string name = trimmed(o.over.substr(0, equals));
-  const std::string range = equals == std::string::npos ? "" : trimmed(o.over.substr(equals + 1));
-  if (name.empty() || range.size() < 2 || range.front() != '[' || range.back() != ']')
-    bad_input("--over: NAME=[A,B] is expected", o.over);
-  const auto ends = split_list(std::string_view(range).substr(1, range.size() - 2));
-  if (ends.size() != 2) bad_input("--over: NAME=[A,B] is expected", o.over);
-  std::vector<Rational> values;
-  for (const auto& text : ends) {
-    const auto value = parse_rational_function(text).constant();
-    if (!value) bad_input("--over: a rational number is expected", text);
-    values.push_back(*value);
-  }
+  const Over over = parse_over(o.over);
   analysis::ParameterOptions options;
   options.regularity.jsr = search_options(session, o);
   options.threads = session.common.threads > 0 ? session.common.threads
                                                : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const analysis::ParameterRange r = analysis::parameter_range(scheme, name, values[0], values[1], options);
+  const analysis::ParameterRange r = analysis::parameter_range(scheme, over.name, over.from, over.to, options);
   const std::string certificate = r.certificate.empty() ? "" : o.certificate;
   write_certificate(certificate, r.certificate);
   deliver(session.common, session.common.format == "json" ? over_json(scheme, r, certificate)
@@ -481,6 +468,39 @@ int run_over(const Session& session, const Options& o) {
 }
 
 }  // namespace
+
+Scheme with_constants(Scheme scheme, const std::vector<std::string>& at) {
+  Values values;
+  values.at = at;
+  std::vector<std::pair<std::string, RationalFunction>> list;
+  for (const auto& [name, text] : values.named()) {
+    for (const auto& p : scheme.parameters)
+      if (p.name == name && p.scope == Parameter::Scope::level)
+        bad_input("the answer holds for all levels and every v^0: no value is taken for", name);
+    const RationalFunction value = parse_rational_function(text);
+    if (!value.constant()) bad_input("--at " + name + ": a rational number is expected", text);
+    list.emplace_back(name, value);
+  }
+  return with_values(scheme, list);
+}
+
+Over parse_over(const std::string& text) {
+  const auto equals = text.find('=');
+  const std::string name = trimmed(text.substr(0, equals));
+  const std::string range = equals == std::string::npos ? "" : trimmed(text.substr(equals + 1));
+  if (name.empty() || range.size() < 2 || range.front() != '[' || range.back() != ']')
+    bad_input("--over: NAME=[A,B] is expected", text);
+  const auto ends = split_list(std::string_view(range).substr(1, range.size() - 2));
+  if (ends.size() != 2) bad_input("--over: NAME=[A,B] is expected", text);
+  std::vector<Rational> values;
+  for (const auto& end : ends) {
+    const auto value = parse_rational_function(end).constant();
+    if (!value) bad_input("--over: a rational number is expected", end);
+    values.push_back(*value);
+  }
+  if (!(values[0] < values[1])) bad_input("--over: the lower end is not below the upper end", text);
+  return {name, values[0], values[1]};
+}
 
 void add_regularity_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();

@@ -58,6 +58,15 @@ bool AffineFamily::symmetric() const {
   return c_.size() % 2 == 1 && std::equal(c_.begin(), c_.end(), c_.rbegin());
 }
 
+std::optional<Rational> AffineFamily::exceptional() const {
+  std::vector<Polynomial> sums(static_cast<size_t>(arity_));
+  for (size_t i = 0; i < c_.size(); ++i) sums[i % sums.size()] += c_[i];
+  Polynomial common = 0;
+  for (const auto& s : sums) common = Polynomial::gcd(common, s - sums[0]);
+  if (common.degree(name_) != 1) return std::nullopt;
+  return RealAlgebraic::zeros(common).front().rational();
+}
+
 Remainder AffineFamily::remainder_at(const Rational& w) const {
   Remainder r{arity_, order_, {}};
   for (const auto& c : c_) r.c.push_back(c.evaluate({{name_, w}}) / denominator_);

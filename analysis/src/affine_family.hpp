@@ -24,6 +24,8 @@ class AffineFamily {
   long arity() const { return arity_; }
   long order() const { return order_; }  // N for all w at once
   bool symmetric() const;
+  // The only w, if there is one, where another sum rule holds.
+  std::optional<Rational> exceptional() const;
   // c(w), the ends kept even if they vanish there.
   Remainder remainder_at(const Rational& w) const;
   Family matrices_at(const Rational& w) const { return transition_matrices(remainder_at(w)); }

@@ -432,11 +432,15 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
   RegularityOptions sample_options = options.regularity;
   sample_options.jsr.progress = nullptr;
   sample_options.jsr.seconds = std::min(sample_options.jsr.seconds, 10.0);
+  const auto sample = [&](const Rational& w) {
+    Regularity r = regularity(with_values(scheme, {{name, w}}), sample_options);
+    r.certificate.clear();
+    return std::pair(w, std::move(r));
+  };
+  if (const auto w = family.exceptional(); w && from <= *w && *w <= to) result.exceptional = sample(*w);
   const Rational step = (to - from) / Rational(static_cast<long>(options.samples) - 1);
   for (long i = 0; i < options.samples; ++i) {
-    const Rational w = from + Rational(i) * step;
-    result.samples.emplace_back(w, regularity(with_values(scheme, {{name, w}}), sample_options));
-    result.samples.back().second.certificate.clear();
+    result.samples.push_back(sample(from + Rational(i) * step));
   }
   long most = -1;
   for (const auto& [w, r] : result.samples) most = std::max(most, r.continuity);

@@ -50,6 +50,7 @@ struct ParameterRange {
   std::vector<RadiusRange> radius;
   std::vector<ContinuityRange> continuity;
   std::vector<std::pair<Rational, Regularity>> samples;  // at equidistant w, ends included
+  std::optional<std::pair<Rational, Regularity>> exceptional;  // the w in [from, to] with more than N sum rules
   std::string certificate;
 };
 
