@@ -316,6 +316,8 @@ analysis::JsrOptions search_options(const Session& session, const Options& o) {
   if (!width || width->sign() <= 0) bad_input("--width: a positive rational number is expected", o.width);
   options.width = *width;
   options.vertices = o.vertices;
+  options.threads = session.common.threads > 0 ? session.common.threads
+                                               : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   if (session.common.time_limit > 0) options.seconds = 0.85 * session.common.time_limit;
   if (!session.common.quiet && isatty(STDERR_FILENO) != 0)
     options.progress = [](const std::string& line) { std::cerr << "twoscale: " << line << "\n"; };
@@ -457,8 +459,7 @@ int run_over(const Session& session, const Options& o) {
   const Over over = parse_over(o.over);
   analysis::ParameterOptions options;
   options.regularity.jsr = search_options(session, o);
-  options.threads = session.common.threads > 0 ? session.common.threads
-                                               : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.threads = options.regularity.jsr.threads;
   const analysis::ParameterRange r = analysis::parameter_range(scheme, over.name, over.from, over.to, options);
   const std::string certificate = r.certificate.empty() ? "" : o.certificate;
   write_certificate(certificate, r.certificate);

@@ -13,6 +13,7 @@
 
 #include "jsr_search.hpp"
 #include "number_field.hpp"
+#include "parallel.hpp"
 #include "twoscale/analysis/deadline.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -868,25 +869,39 @@ JsrResult enclosed(const Family& family, const BlockForm& form, const Searched& 
       result.claims.push_back(std::move(claim));
     }
   }
-  std::optional<Json> best;
-  const auto attempt = [&](double margin, double share) {
-    const Rational bound = outward(found.radius * (1 + margin), 1);
-    const Deadline part(deadline.left() * share);
-    auto claim = prove_upper(form, found, bound, subject, options, part);
-    if (!claim) return false;
-    best = std::move(claim);
-    result.upper = bound;
-    report(options, "proved: radius <= " + rounded_decimal(bound, 8));
-    return true;
+  // From a coarse margin to the target; as many at once as there are threads. Coarser ones if none succeeds.
+  struct Attempt {
+    Rational bound;
+    std::optional<Json> claim;
   };
   const double target = fmpq_get_d(options.width.raw());
-  double margin = std::max(target, 0.02);
-  while (!attempt(margin, 0.5) && margin < 1e6) margin *= margin < 1 ? 4 : 10;
-  while (best && margin > target && !deadline.passed()) {
-    const double next = std::max(target, margin / 4);
-    if (!attempt(next, 0.8)) break;
-    margin = next;
+  std::vector<double> margins;
+  for (double margin = std::max(target, 0.02); margin > target; margin /= 4) margins.push_back(margin);
+  margins.push_back(target);
+  std::optional<Json> best;
+  const auto run = [&](const std::vector<double>& batch, double seconds) {
+    std::vector<Attempt> done(batch.size());
+    in_parallel(batch.size(), options.threads, [&](size_t i) {
+      done[i].bound = outward(found.radius * (1 + batch[i]), 1);
+      done[i].claim = prove_upper(form, found, done[i].bound, subject, options, Deadline(seconds));
+    });
+    bool all = true;
+    for (auto& d : done) {
+      all = all && d.claim.has_value();
+      if (!d.claim || (best && !(d.bound < result.upper))) continue;
+      best = std::move(d.claim);
+      result.upper = d.bound;
+      report(options, "proved: radius <= " + rounded_decimal(result.upper, 8));
+    }
+    return all;
+  };
+  const auto batch_size = static_cast<size_t>(std::max(1, options.threads));
+  for (size_t i = 0; i < margins.size() && !deadline.passed(); i += batch_size) {
+    const auto last = std::min(margins.size(), i + batch_size);
+    if (!run({margins.begin() + static_cast<long>(i), margins.begin() + static_cast<long>(last)}, 0.6 * deadline.left()))
+      break;
   }
+  for (double margin = 0.1; !best && margin < 1e8; margin *= margin < 1 ? 3 : 10) run({margin}, 2);
   if (!best) throw Error(Error::Kind::undecided, "no bound of the joint spectral radius was proved within the limits");
   result.bounded = false;
   result.claims.push_back(std::move(*best));

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "twoscale/analysis/parameter_range.hpp"
 
-#include <glpk.h>
-
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <mutex>
 #include <numeric>
-#include <thread>
 
 #include "affine_family.hpp"
+#include "parallel.hpp"
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/deadline.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -202,6 +199,7 @@ class CellProver {
         resolution_(std::move(resolution)),
         deadline_(options.regularity.jsr.seconds / 2) {
     options_.regularity.jsr.progress = nullptr;
+    options_.regularity.jsr.threads = 1;
     // Many small problems: each is given up early, a shorter interval is easier.
     options_.regularity.jsr.seconds = std::min(options_.regularity.jsr.seconds, 1.0);
     options_.regularity.jsr.vertices = std::min<size_t>(options_.regularity.jsr.vertices, 250);
@@ -338,32 +336,6 @@ class CellProver {
   std::map<Rational, JsrResult> cache_;
 };
 
-// The jobs by `threads` workers; each leaves no solver environment behind.
-void in_parallel(size_t jobs, int threads, const std::function<void(size_t)>& job) {
-  if (threads <= 1 || jobs <= 1) {
-    for (size_t i = 0; i < jobs; ++i) job(i);
-    return;
-  }
-  std::atomic<size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  std::vector<std::thread> workers;
-  for (int t = 0; t < threads; ++t)
-    workers.emplace_back([&] {
-      try {
-        for (size_t i = next++; i < jobs; i = next++) job(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        failure = std::current_exception();
-        next = jobs;
-      }
-      glp_free_env();
-      flint_cleanup();
-    });
-  for (auto& w : workers) w.join();
-  if (failure) std::rethrow_exception(failure);
-}
-
 // The largest interval found for which one polytope serves any sequence of w.
 std::optional<ParameterInterval> largest_joint(CellProver& prover, const std::vector<ParameterInterval>& proved,
                                                const Rational& tau, const Rational& resolution, int threads,
@@ -431,6 +403,7 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
   result.order = family.order();
   RegularityOptions sample_options = options.regularity;
   sample_options.jsr.progress = nullptr;
+  sample_options.jsr.threads = 1;
   sample_options.jsr.seconds = std::min(sample_options.jsr.seconds, 10.0);
   const auto sample = [&](const Rational& w) {
     Regularity r = regularity(with_values(scheme, {{name, w}}), sample_options);
@@ -439,9 +412,9 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
   };
   if (const auto w = family.exceptional(); w && from <= *w && *w <= to) result.exceptional = sample(*w);
   const Rational step = (to - from) / Rational(static_cast<long>(options.samples) - 1);
-  for (long i = 0; i < options.samples; ++i) {
-    result.samples.push_back(sample(from + Rational(i) * step));
-  }
+  result.samples.resize(static_cast<size_t>(options.samples));
+  in_parallel(result.samples.size(), options.threads,
+              [&](size_t i) { result.samples[i] = sample(from + Rational(static_cast<long>(i)) * step); });
   long most = -1;
   for (const auto& [w, r] : result.samples) most = std::max(most, r.continuity);
   most = std::min(most, family.order() - 1);

@@ -33,7 +33,8 @@ struct JsrOptions {
   double seconds = 60;        // after that the best bounds proved so far are returned
   bool enclosure_only = false;  // do not look for the exact value
   Rational extra = 0;           // > 0: unit vectors of this length are vertices of an exact polytope as well
-  std::function<void(const std::string&)> progress;
+  int threads = 1;
+  std::function<void(const std::string&)> progress;  // called from the calling thread only
 };
 
 // How a closed polytope hangs together, without its numbers: enough to look for the same one at other parameters.
