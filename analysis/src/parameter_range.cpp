@@ -42,12 +42,18 @@ Polynomial at_value(const Polynomial& p, const std::string& variable, const Rati
 
 // ---- Sub-intervals, put together
 
+// Adds an interval that begins not before the last one; joined to it if they meet.
 void append(std::vector<ParameterInterval>& list, ParameterInterval next) {
   if (!list.empty()) {
     ParameterInterval& last = list.back();
-    if (last.to == next.from && (last.to_included || next.from_included)) {
-      last.to = next.to;
-      last.to_included = next.to_included;
+    const int order = RealAlgebraic::compare(last.to, next.from);
+    if (order > 0 || (order == 0 && (last.to_included || next.from_included))) {
+      const int ends = RealAlgebraic::compare(next.to, last.to);
+      if (ends == 0) last.to_included = last.to_included || next.to_included;
+      if (ends > 0) {
+        last.to = next.to;
+        last.to_included = next.to_included;
+      }
       return;
     }
   }

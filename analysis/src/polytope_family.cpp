@@ -8,6 +8,7 @@
 // point, w = phi(u) makes rho rational.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "affine_family.hpp"
 #include "twoscale/analysis/deadline.hpp"
@@ -327,6 +328,93 @@ RealAlgebraic image_under(const RationalFunction& phi, const RealAlgebraic& u) {
 
 bool less(const RealAlgebraic& a, const RealAlgebraic& b) { return RealAlgebraic::compare(a, b) < 0; }
 
+// A polytope found near w0 and followed as far as it serves inside (low, high).
+struct Served {
+  RadiusRange range;
+  Json claim;
+};
+
+class Follower {
+ public:
+  Follower(const AffineFamily& family, const JsrOptions& options) : family_(family), search_(options) {
+    search_.progress = nullptr;
+    search_.threads = 1;
+    search_.seconds = 2;
+    search_.vertices = 60;
+  }
+
+  // The best over several sets of additional vertices: these may serve a longer interval, down to where the leading
+  // vectors alone would not span. `enough` ends the search.
+  std::optional<Served> serve(const RealAlgebraic& low, const RealAlgebraic& high, const Rational& w0,
+                              const std::function<bool(const ParameterInterval&)>& enough) {
+    JsrResult at = joint_spectral_radius(family_.matrices_at(w0), {}, search_);
+    if (!at.exact || !at.shape) return std::nullopt;
+    const auto equation = radius_equation(family_, at.shape->words[0], at.shape->signs[0], w0, *at.exact);
+    const auto curve = equation ? parametrized(*equation, family_.name(), w0, at.exact->estimate()) : std::nullopt;
+    if (!curve) return std::nullopt;
+    // A rational u near the sample whose w lies inside; there the radius is rational.
+    const double room = high.estimate() - low.estimate();
+    Rational u;
+    bool found = false;
+    for (int bits = 2; bits <= 30 && !found; ++bits) {
+      u = Rational(static_cast<long>(std::lround(std::ldexp(curve->sample, bits)))) / Rational(1L << bits);
+      const auto w = curve->w.evaluate({{parameter, u}});
+      found = w && less(low, *w) && less(*w, high) && std::abs(estimate(*w - w0)) < 0.25 * room;
+    }
+    if (!found) return std::nullopt;
+    const Rational w1 = *curve->w.evaluate({{parameter, u}});
+    const auto rho = curve->rho.evaluate({{parameter, u}});
+    if (!rho) return std::nullopt;
+    const Window whole = window_of_curve(*curve, u, low, high);
+    std::optional<Served> best;
+    for (const Rational& extra : {Rational(0), Rational(1, 2), Rational(1, 4), Rational(3, 4), Rational(1, 16)}) {
+      search_.extra = extra;
+      at = joint_spectral_radius(family_.matrices_at(w1), {}, search_);
+      if (!at.exact || !at.shape || at.shape->roots.empty() || !(*at.exact == RealAlgebraic(*rho))) continue;
+      auto followed = follow(family_, *curve, u, *at.shape, whole);
+      if (!followed || !followed->window.low() || !followed->window.high()) continue;
+      RealAlgebraic u_low = *followed->window.low();
+      RealAlgebraic u_high = *followed->window.high();
+      ParameterInterval interval{image_under(curve->w, u_low), image_under(curve->w, u_high), true, true};
+      if (less(interval.to, interval.from)) std::swap(interval.from, interval.to);
+      if (less(interval.from, low)) interval.from = low;
+      if (less(high, interval.to)) interval.to = high;
+      u_low.refine(Rational(1, 1L << 40));
+      u_high.refine(Rational(1, 1L << 40));
+      followed->claim["parameter"] = Json::array({u_low.upper().to_string(), u_high.lower().to_string()});
+      const bool done = enough(interval);
+      if (done || !best ||
+          best->range.interval.to.estimate() - best->range.interval.from.estimate() <
+              interval.to.estimate() - interval.from.estimate())
+        best = Served{{std::move(interval), *equation, branch_expression(*equation, family_.name(), w1, *rho),
+                       "invariant polytope", at.cycles},
+                      std::move(followed->claim)};
+      if (done) break;
+    }
+    search_.extra = 0;
+    return best;
+  }
+
+ private:
+  // Where phi is monotone and stays in the interval.
+  static Window window_of_curve(const Parametrization& curve, const Rational& u, const RealAlgebraic& low,
+                                const RealAlgebraic& high) {
+    Window whole(u, std::nullopt, std::nullopt);
+    const Polynomial n = curve.w.numerator();
+    const Polynomial q = curve.w.denominator();
+    whole.keep_sign(n.derivative(parameter) * q - n * q.derivative(parameter), true);
+    if (!q.is_constant()) whole.keep_sign(q, true);
+    for (const RealAlgebraic* end : {&low, &high}) {
+      const RationalFunction composed = RationalFunction(end->polynomial()).substitute("x", curve.w);
+      if (!composed.is_zero()) whole.keep_sign(composed.numerator(), true);
+    }
+    return whole;
+  }
+
+  const AffineFamily& family_;
+  JsrOptions search_;
+};
+
 }  // namespace
 
 std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Rational& from, const Rational& to,
@@ -334,13 +422,10 @@ std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Ratio
                                          const JsrOptions& options, std::vector<Json>& claims) {
   std::vector<RadiusRange> list;
   if (family.matrices()[0].size() > 4) return list;  // rational functions grow too fast
-  struct Gap {
-    RealAlgebraic low;
-    RealAlgebraic high;
-  };
-  std::vector<Gap> gaps;
+  std::vector<std::pair<RealAlgebraic, RealAlgebraic>> gaps;
+  const double size = estimate(to - from);
   const auto add_gap = [&](const RealAlgebraic& low, const RealAlgebraic& high) {
-    if (high.estimate() - low.estimate() > 1e-6 * estimate(to - from)) gaps.push_back({low, high});
+    if (high.estimate() - low.estimate() > 1e-6 * size) gaps.emplace_back(low, high);
   };
   if (without) {
     add_gap(from, without->first);
@@ -348,111 +433,48 @@ std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Ratio
   } else {
     add_gap(from, to);
   }
-  JsrOptions search = options;
-  search.progress = nullptr;
-  search.seconds = 2;
-  search.vertices = 60;
   const Deadline deadline(options.seconds / 6);
+  Follower follower(family, options);
   for (int attempts = 0; !gaps.empty() && attempts < 64 && !deadline.passed(); ++attempts) {
-    const Gap gap = gaps.back();
+    const auto [low, high] = gaps.back();
     gaps.pop_back();
-    const Rational w0 = rational_between(gap.low, gap.high);
-    const auto split = [&] {
-      if (gap.high.estimate() - gap.low.estimate() > 0.05 * estimate(to - from)) {
-        add_gap(gap.low, w0);
-        add_gap(w0, gap.high);
-      }
-    };
-    JsrResult at = joint_spectral_radius(family.matrices_at(w0), {}, search);
-    if (!at.exact || !at.shape) {
-      split();
-      continue;
+    const Rational w0 = rational_between(low, high);
+    auto served = follower.serve(low, high, w0,
+                                 [&](const ParameterInterval& i) { return i.from == low && i.to == high; });
+    if (served) {
+      claims.push_back(std::move(served->claim));
+      add_gap(low, served->range.interval.from);
+      add_gap(served->range.interval.to, high);
+      list.push_back(std::move(served->range));
+    } else if (high.estimate() - low.estimate() > 0.05 * size) {
+      add_gap(low, w0);
+      add_gap(w0, high);
     }
-    const auto equation = radius_equation(family, at.shape->words[0], at.shape->signs[0], w0, *at.exact);
-    const auto curve = equation ? parametrized(*equation, family.name(), w0, at.exact->estimate()) : std::nullopt;
-    if (!curve) {
-      split();
-      continue;
-    }
-    // A rational u near the sample whose w lies in the gap; there the radius is rational.
-    Rational u;
-    bool found = false;
-    for (int bits = 2; bits <= 24 && !found; ++bits) {
-      u = Rational(static_cast<long>(std::lround(std::ldexp(curve->sample, bits)))) / Rational(1L << bits);
-      const auto w = curve->w.evaluate({{parameter, u}});
-      found = w && less(gap.low, *w) && less(*w, gap.high) &&
-              std::abs(estimate(*w - w0)) < 0.25 * (gap.high.estimate() - gap.low.estimate());
-    }
-    if (!found) {
-      split();
-      continue;
-    }
-    const Rational w1 = *curve->w.evaluate({{parameter, u}});
-    const auto rho = curve->rho.evaluate({{parameter, u}});
-    // The window: where phi is monotone and stays in the gap, and the polytope is one.
-    Window whole(u, std::nullopt, std::nullopt);
-    const Polynomial n = curve->w.numerator();
-    const Polynomial q = curve->w.denominator();
-    whole.keep_sign(n.derivative(parameter) * q - n * q.derivative(parameter), true);
-    if (!q.is_constant()) whole.keep_sign(q, true);
-    for (const RealAlgebraic* end : {&gap.low, &gap.high}) {
-      const RationalFunction composed = RationalFunction(end->polynomial()).substitute("x", curve->w);
-      if (!composed.is_zero()) whole.keep_sign(composed.numerator(), true);
-    }
-    struct Range {
-      RealAlgebraic low;
-      RealAlgebraic high;
-      Json claim;
-    };
-    std::optional<Range> best;
-    // More vertices may serve a longer interval, down to where the leading vectors alone would not span.
-    for (const Rational& extra : {Rational(0), Rational(1, 2), Rational(1, 4), Rational(1, 16)}) {
-      search.extra = extra;
-      at = joint_spectral_radius(family.matrices_at(w1), {}, search);
-      if (!at.exact || !at.shape || at.shape->roots.empty() || !rho || !(*at.exact == RealAlgebraic(*rho))) continue;
-      auto followed = follow(family, *curve, u, *at.shape, whole);
-      if (!followed || !followed->window.low() || !followed->window.high()) continue;
-      RealAlgebraic u_low = *followed->window.low();
-      RealAlgebraic u_high = *followed->window.high();
-      Range range{image_under(curve->w, u_low), image_under(curve->w, u_high), std::move(followed->claim)};
-      if (less(range.high, range.low)) std::swap(range.low, range.high);
-      if (less(range.low, gap.low)) range.low = gap.low;
-      if (less(gap.high, range.high)) range.high = gap.high;
-      u_low.refine(Rational(1, 1L << 40));
-      u_high.refine(Rational(1, 1L << 40));
-      range.claim["parameter"] = Json::array({u_low.upper().to_string(), u_high.lower().to_string()});
-      const bool complete = range.low == gap.low && range.high == gap.high;
-      if (!best || best->high.estimate() - best->low.estimate() < range.high.estimate() - range.low.estimate())
-        best = std::move(range);
-      if (complete) break;
-    }
-    search.extra = 0;
-    if (!best) {
-      split();
-      continue;
-    }
-    const RealAlgebraic low = best->low;
-    const RealAlgebraic high = best->high;
-    claims.push_back(std::move(best->claim));
-    RadiusRange r;
-    r.interval = {low, high, true, true};
-    r.polynomial = *equation;
-    r.expression = branch_expression(*equation, family.name(), w1, *rho);
-    r.method = "invariant polytope";
-    r.cycles = at.cycles;
-    list.push_back(std::move(r));
-    add_gap(gap.low, low);
-    add_gap(high, gap.high);
   }
-  // Neighbours with the same form are one range.
   std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return less(a.interval.from, b.interval.from); });
   std::vector<RadiusRange> merged;
   for (auto& r : list) {
-    if (!merged.empty() && merged.back().expression == r.expression && merged.back().polynomial == r.polynomial &&
-        merged.back().interval.to == r.interval.from)
-      merged.back().interval.to = r.interval.to;
-    else
+    if (merged.empty() || !(merged.back().polynomial == r.polynomial) || merged.back().expression != r.expression ||
+        !(merged.back().interval.to == r.interval.from)) {
       merged.push_back(std::move(r));
+      continue;
+    }
+    // Neighbours with the same form are one range. The claims stop short of an irrational end; another one bridges it.
+    const RealAlgebraic& cut = r.interval.from;
+    if (!cut.rational()) {
+      const RealAlgebraic left = rational_between(merged.back().interval.from, cut);
+      const RealAlgebraic right = rational_between(cut, r.interval.to);
+      const RealAlgebraic near(cut.upper() + (right.lower() - cut.upper()) / Rational(16));
+      const auto bridge = follower.serve(left, right, rational_between(cut, near), [&](const ParameterInterval& i) {
+        return less(i.from, cut) && less(cut, i.to);
+      });
+      if (!bridge || !less(bridge->range.interval.from, cut) || !less(cut, bridge->range.interval.to)) {
+        merged.push_back(std::move(r));
+        continue;
+      }
+      claims.push_back(bridge->claim);
+    }
+    merged.back().interval.to = r.interval.to;
   }
   return merged;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests of the checker: joint spectral radii, non-negative symbols, stability, level-dependent regularity.
-#include "mutants.hpp"
+#include "expectations.hpp"
 #include "smoothness_samples.hpp"
 
 #include "twoscale/check/matrix.hpp"
@@ -20,24 +20,6 @@ using twoscale::check::Integer;
 using twoscale::check::Matrix;
 using twoscale::check::Meter;
 using twoscale::check::Report;
-
-template <typename AnyDocument>
-void expect_valid(const AnyDocument& d) {
-  const Report report = d.check();
-  EXPECT_EQ(report.status, Report::valid) << report.message << "\n" << d.sealed();
-}
-template <typename AnyDocument>
-void expect_invalid(const AnyDocument& d, const std::string& reason) {
-  const Report report = d.check();
-  EXPECT_EQ(report.status, Report::invalid) << report.message << "\n" << d.sealed();
-  EXPECT_NE(report.message.find(reason), std::string::npos) << report.message;
-}
-template <typename AnyDocument>
-void expect_malformed(const AnyDocument& d, const std::string& reason) {
-  const Report report = d.check();
-  EXPECT_EQ(report.status, Report::malformed) << report.message << "\n" << d.sealed();
-  EXPECT_NE(report.message.find(reason), std::string::npos) << report.message;
-}
 
 // ---- algebra
 
@@ -520,18 +502,6 @@ TEST(Smoothness, MuchWorkEnds) {
 
 // ---- mutations
 
-double real(const Value& v) {
-  const std::size_t slash = v.text.find('/');
-  const double top = std::strtod(v.text.c_str(), nullptr);
-  return slash == std::string::npos ? top : top / std::strtod(v.text.c_str() + slash + 1, nullptr);
-}
-const Value& member(const Value& object, const std::string& key) {
-  for (std::size_t i = 0; i < object.keys.size(); ++i) {
-    if (object.keys[i] == key) return object.items[i];
-  }
-  throw std::runtime_error("no member " + key);
-}
-
 /// low <= rho <= high, and |p(rho)| small.
 bool isolates(const Value& radius, double rho) {
   const auto& interval = member(radius, "interval").items;
@@ -571,31 +541,6 @@ std::pair<double, double> radius_bounds(const Value& matrices) {
     products = std::move(next);
   }
   return {low, high};
-}
-
-using Oracle = std::function<bool(const Value& document, const Value& claim)>;
-
-/// Every claim of each accepted mutant must be true.
-void expect_only_true_mutants(const std::string& text, std::size_t from, const Oracle& is_true) {
-  ASSERT_EQ(check_text(text).status, Report::valid);
-  int accepted = 0, refused = 0;
-  for (const std::string& unsealed : mutants(text)) {
-    if (unsealed.compare(0, from, text, 0, from) != 0) continue;  // the head has changed
-    const std::string mutant = reseal(unsealed);
-    if (mutant == text) continue;
-    if (check_text(mutant).status != Report::valid) {
-      ++refused;
-      continue;
-    }
-    ++accepted;
-    const Value document = twoscale::check::parse_json(mutant);
-    for (const Value& one : member(document, "claims").items) {
-      ASSERT_TRUE(member(one, "verdict").text == "proved" || member(one, "claim").text == "stability") << mutant;
-      ASSERT_TRUE(is_true(document, one)) << mutant;
-    }
-  }
-  EXPECT_GT(refused, 100);
-  std::cout << accepted << " still true, " << refused << " refused\n";
 }
 
 TEST(SmoothnessMutation, Matrices) {

@@ -23,7 +23,7 @@ struct Kind {
   Finding (*of_itself)(Meter&, Fields&, bool) = nullptr;  ///< states itself what it is about: in every document
 };
 
-constexpr std::array<Kind, 15> kinds{{
+constexpr std::array<Kind, 18> kinds{{
     {"interpolatory", "definition", check_interpolatory},
     {"symmetric", "definition", check_symmetric},
     {"sum-rules", "definition", check_sum_rules},
@@ -35,6 +35,9 @@ constexpr std::array<Kind, 15> kinds{{
     {"jsr-upper", "invariant-polytope", check_jsr_upper, check_family_jsr_upper},
     {"jsr-exact", "invariant-polytope", check_jsr_exact, check_family_jsr_exact},
     {"nonnegative-symbol", "nonnegative-symbol", check_nonnegative_symbol},
+    {"nonnegative-family", "nonnegative-symbol", check_nonnegative_family},
+    {"jsr-lower-family", "spectral-radius", check_jsr_lower_family},
+    {"jsr-family", "invariant-polytope", check_jsr_family},
     {"stability", "jia-wang", check_stability},
     {"nonstationary", "nonstationary", check_nonstationary},
     {"positivity", "", nullptr, nullptr, check_positivity},

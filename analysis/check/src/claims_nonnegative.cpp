@@ -3,19 +3,10 @@
 #include "twoscale/check/claims.hpp"
 #include "twoscale/check/radius.hpp"
 #include "twoscale/check/remainder.hpp"
-
-#include <algorithm>
+#include "twoscale/check/transition.hpp"
 
 namespace twoscale::check {
 namespace {
-
-/// g_0, ..., g_h for g(z) = z^{-h} c(z), c symmetric of degree 2h; Refused otherwise.
-std::vector<Integer> centred(const Coefficients& c) {
-  if (c.list.size() % 2 == 0 || !std::equal(c.list.begin(), c.list.end(), c.list.rbegin())) {
-    throw Refused("the remainder is not symmetric of even degree");
-  }
-  return {c.list.begin() + static_cast<std::ptrdiff_t>(c.list.size() / 2), c.list.end()};
-}
 
 /// g_0, ..., g_h for g(z) = c(z) c(1/z), h the degree of c.
 std::vector<Integer> autocorrelation(const Coefficients& c, Meter& meter) {
@@ -24,27 +15,6 @@ std::vector<Integer> autocorrelation(const Coefficients& c, Meter& meter) {
     for (std::size_t i = 0; i + k < g.size(); ++i) g[k] += meter.multiply(c.list[i], c.list[i + k]);
   }
   return g;
-}
-
-/// M_{ij} = g_{i-mj} + (j > 0 ? g_{i+mj} : 0), 0 <= i, j <= (h-1)/(m-1).
-Matrix transition(const std::vector<Integer>& g, const Integer& scale, long arity, Meter& meter) {
-  const long h = static_cast<long>(g.size()) - 1;
-  const long size = std::max(0L, h - 1) / (arity - 1) + 1;
-  if (size > static_cast<long>(limits::matrix)) {
-    throw Malformed("the mask leads to a matrix of more than " + std::to_string(limits::matrix) + " rows");
-  }
-  const auto at = [&](long k) { return std::abs(k) <= h ? g[static_cast<std::size_t>(std::abs(k))] : Integer(0); };
-  Matrix m{static_cast<std::size_t>(size), {}, scale};
-  for (long i = 0; i < size; ++i) {
-    for (long j = 0; j < size; ++j) {
-      m.entries.push_back(at(i - arity * j));
-      if (j > 0) m.entries.back() += at(i + arity * j);
-      meter.hold(sizeof(Integer) + 8 * words(m.entries.back()));
-      meter.spend(20);
-    }
-  }
-  reduce(m.entries, m.scale, meter);
-  return m;
 }
 
 }  // namespace
@@ -63,7 +33,7 @@ Finding check_nonnegative_symbol(const Context& context, Fields& fields, bool pr
 
   const bool itself = of == "remainder";
   const Coefficients c = exact_remainder(context, order);
-  const std::vector<Integer> g = itself ? centred(c) : autocorrelation(c, meter);
+  const std::vector<Integer> g = itself ? centred(c.list) : autocorrelation(c, meter);
   if (itself && zeros_between(odd_part(cosine_sum(g, meter), meter), {-1, 1}, {1, 1}, meter) != 0) {
     throw Refused("the symbol of the remainder changes its sign");  // at z = 1 it is m > 0
   }

@@ -10,12 +10,6 @@
 namespace twoscale::check {
 namespace {
 
-int read_sign(Fields& fields) {
-  const long sign = fields.take_integer("sign", -1, 1);
-  if (sign == 0) throw Malformed(fields.path("sign") + ": 1 or -1 is expected");
-  return static_cast<int>(sign);
-}
-
 class Polytope {
  public:
   Polytope(std::span<const Matrix> matrices, const Radius& radius, unsigned bits, bool plain, Meter& meter)
@@ -291,6 +285,12 @@ class Polytope {
 PolytopeReport check_polytope(std::span<const Matrix> matrices, const Radius& radius, unsigned bits, bool plain,
                               Fields& fields, Meter& meter) {
   return Polytope(matrices, radius, bits, plain, meter).check(fields);
+}
+
+int read_sign(Fields& fields) {
+  const long sign = fields.take_integer("sign", -1, 1);
+  if (sign == 0) throw Malformed(fields.path("sign") + ": 1 or -1 is expected");
+  return static_cast<int>(sign);
 }
 
 std::vector<std::size_t> read_indices(const std::vector<Value>& items, std::size_t count, const std::string& where) {

@@ -38,25 +38,36 @@ std::vector<Integer> quotient_of(std::vector<Integer> p, long order, long arity,
   return p;
 }
 
-std::vector<Matrix> matrices_of(const Coefficients& c, long arity, Meter& meter) {
-  const long n0 = static_cast<long>(c.list.size()) - 1;
+/// Calls add(s, i) for the entries c_i (0 without i) of each B_s, row by row; returns the size of the matrices.
+template <typename Add>
+std::size_t arrange(std::size_t length, long arity, Meter& meter, Add add) {
+  const long n0 = static_cast<long>(length) - 1;
   const long size = std::max(1L, (n0 + arity - 2) / (arity - 1));
   if (size > static_cast<long>(limits::matrix)) {
     throw Malformed("the mask leads to matrices of more than " + std::to_string(limits::matrix) + " rows");
   }
-  std::vector<Matrix> list;
   for (long s = 0; s < arity; ++s) {
-    Matrix matrix{static_cast<std::size_t>(size), {}, c.scale};
+    meter.spend(10 * static_cast<std::uint64_t>(size * size));
     for (long p = 0; p < size; ++p) {
       for (long q = 0; q < size; ++q) {
         const long i = n0 + 1 - arity + s + p - arity * q;
-        matrix.entries.push_back(i >= 0 && i <= n0 ? c.list[static_cast<std::size_t>(i)] : Integer(0));
-        meter.hold(sizeof(Integer) + 8 * words(matrix.entries.back()));
+        add(static_cast<std::size_t>(s), i >= 0 && i <= n0 ? std::optional(static_cast<std::size_t>(i)) : std::nullopt);
       }
     }
-    meter.spend(10 * matrix.entries.size());
+  }
+  return static_cast<std::size_t>(size);
+}
+
+std::vector<Matrix> matrices_of(const Coefficients& c, long arity, Meter& meter) {
+  std::vector<Matrix> list(static_cast<std::size_t>(arity));
+  const std::size_t size = arrange(c.list.size(), arity, meter, [&](std::size_t s, std::optional<std::size_t> i) {
+    list[s].entries.push_back(i ? c.list[*i] : Integer(0));
+    meter.hold(sizeof(Integer) + 8 * words(list[s].entries.back()));
+  });
+  for (Matrix& matrix : list) {
+    matrix.size = size;
+    matrix.scale = c.scale;
     reduce(matrix.entries, matrix.scale, meter);
-    list.push_back(std::move(matrix));
   }
   return list;
 }
@@ -113,7 +124,7 @@ std::vector<Matrix> remainder_matrices(const Context& context, long order) {
   return matrices_of(exact_remainder(context, order), context.certificate.arity, context.meter);
 }
 
-std::vector<Matrix> remainder_matrices(const Context& context, long order, const Fraction& low, const Fraction& high) {
+AffineCoefficients affine_remainder(const Context& context, long order) {
   require_positive_order(order);
   const Certificate& certificate = context.certificate;
   const Mask& mask = certificate.mask;
@@ -121,36 +132,61 @@ std::vector<Matrix> remainder_matrices(const Context& context, long order, const
   if (mask.denominator.size() != 1 || mask.denominator.begin()->first[0] != 0) {
     throw Refused("the denominator of the mask contains the parameter");
   }
-  const Integer scale = mask.denominator.begin()->second;  // positive
-  std::vector<Integer> parts[2];                           // a(z) = (parts[0] + w parts[1])/scale
+  AffineCoefficients c;
+  c.scale = mask.denominator.begin()->second;  // positive
+  std::vector<Integer>* const parts[2] = {&c.constant, &c.linear};
   Integer sums[2] = {0, 0};
   for (const Polynomial& numerator : mask.numerators) {
-    parts[0].emplace_back(0);
-    parts[1].emplace_back(0);
+    for (auto* part : parts) part->emplace_back(0);
     for (const auto& [monomial, coefficient] : numerator) {
       if (monomial[0] > 1) throw Refused("the mask is not affine in the parameter");
       const auto k = static_cast<std::size_t>(monomial[0]);
-      parts[k].back() = coefficient;
+      parts[k]->back() = coefficient;
       sums[k] += coefficient;
       meter.spend(words(sums[k]) + 10);
     }
   }
-  if (sums[0] != scale * certificate.arity || sums[1] != 0) {
+  if (sums[0] != c.scale * certificate.arity || sums[1] != 0) {
     throw Refused("the sum of the coefficients of the mask is not " + std::to_string(certificate.arity));
   }
-  for (auto& part : parts) part = quotient_of(std::move(part), order, certificate.arity, meter);
+  for (auto* part : parts) *part = quotient_of(std::move(*part), order, certificate.arity, meter);
+  return c;
+}
 
-  std::vector<Matrix> list;
-  const auto add = [&](const Fraction& w) {
-    Coefficients c;
-    c.scale = meter.multiply(scale, w.denominator);
-    for (std::size_t i = 0; i < parts[0].size(); ++i) {
-      c.list.push_back(meter.multiply(parts[0][i], w.denominator) + meter.multiply(parts[1][i], w.numerator));
-    }
-    for (Matrix& matrix : matrices_of(c, certificate.arity, meter)) list.push_back(std::move(matrix));
-  };
-  add(low);
-  if (compare(low, high, meter) != 0) add(high);
+Coefficients at(const AffineCoefficients& c, const Fraction& w, Meter& meter) {
+  Coefficients result;
+  result.scale = meter.multiply(c.scale, w.denominator);
+  for (std::size_t i = 0; i < c.constant.size(); ++i) {
+    result.list.push_back(meter.multiply(c.constant[i], w.denominator) + meter.multiply(c.linear[i], w.numerator));
+  }
+  return result;
+}
+
+std::vector<Matrix> remainder_matrices(const Context& context, long order, const Fraction& low, const Fraction& high) {
+  const AffineCoefficients c = affine_remainder(context, order);
+  const long arity = context.certificate.arity;
+  Meter& meter = context.meter;
+  std::vector<Matrix> list = matrices_of(at(c, low, meter), arity, meter);
+  if (compare(low, high, meter) != 0) {
+    for (Matrix& matrix : matrices_of(at(c, high, meter), arity, meter)) list.push_back(std::move(matrix));
+  }
+  return list;
+}
+
+std::vector<PolynomialMatrix> remainder_matrices(const AffineCoefficients& c, long arity, const Dense& p,
+                                                 const Dense& q, Meter& meter) {
+  std::vector<Dense> values(c.constant.size());  // scale*q*c_i
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (c.constant[i] != 0) add_product(values[i], q, {c.constant[i]}, meter);
+    if (c.linear[i] != 0) add_product(values[i], p, {c.linear[i]}, meter);
+    hold(values[i], meter);
+  }
+  std::vector<PolynomialMatrix> list(static_cast<std::size_t>(arity));
+  const std::size_t size = arrange(values.size(), arity, meter, [&](std::size_t s, std::optional<std::size_t> i) {
+    list[s].entries.push_back(i ? values[*i] : Dense{});
+    hold(list[s].entries.back(), meter);
+  });
+  for (PolynomialMatrix& matrix : list) matrix.rows = matrix.columns = size;
   return list;
 }
 

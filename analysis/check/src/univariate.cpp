@@ -9,6 +9,9 @@
 namespace twoscale::check {
 namespace {
 
+constexpr std::size_t product_length = std::size_t{1} << 20;  // coefficients of a product
+constexpr std::uint64_t product_words = std::uint64_t{1} << 23;
+
 void trim(Dense& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
 }
@@ -17,11 +20,6 @@ Dense derivative(const Dense& p) {
   Dense result;
   for (std::size_t i = 1; i < p.size(); ++i) result.push_back(p[i] * i);
   return result;
-}
-
-/// Accounts for the memory that p keeps.
-void hold(const Dense& p, Meter& meter) {
-  for (const Integer& c : p) meter.hold(sizeof(Integer) + 8 * words(c));
 }
 
 /// -(remainder of p by g) times a positive number, primitive.
@@ -76,6 +74,10 @@ bool beyond_cos(const Integer& a, const Integer& b, int m, Meter& meter) {
 
 }  // namespace
 
+void hold(const Dense& p, Meter& meter) {
+  for (const Integer& c : p) meter.hold(sizeof(Integer) + 8 * words(c));
+}
+
 Dense dense(const Polynomial& p) {
   Dense result(p.empty() ? 0 : static_cast<std::size_t>(p.begin()->first[0]) + 1);
   for (const auto& [monomial, coefficient] : p) result[static_cast<std::size_t>(monomial[0])] = coefficient;
@@ -101,6 +103,36 @@ std::optional<Dense> quotient(const Dense& p, const Dense& g, Meter& meter) {
   trim(rest);
   if (!rest.empty()) return std::nullopt;
   return result;
+}
+
+void add_product(Dense& target, const Dense& p, const Dense& q, Meter& meter) {
+  if (p.empty() || q.empty()) return;
+  if (p.size() + q.size() > product_length) {
+    throw Malformed("the certificate leads to polynomials beyond the memory limit of the checker");
+  }
+  meter.spend(p.size() + q.size());
+  if (target.size() < p.size() + q.size() - 1) target.resize(p.size() + q.size() - 1);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p[i] == 0) continue;
+    for (std::size_t j = 0; j < q.size(); ++j) target[i + j] += meter.multiply(p[i], q[j]);
+  }
+  trim(target);
+  std::uint64_t total = 0;
+  for (const Integer& c : target) total += words(c);
+  if (total > product_words) {
+    throw Malformed("the certificate leads to polynomials beyond the memory limit of the checker");
+  }
+}
+
+Dense multiply(const Dense& p, const Dense& q, Meter& meter) {
+  Dense result;
+  add_product(result, p, q, meter);
+  return result;
+}
+
+Dense negated(Dense p) {
+  for (Integer& c : p) c = -c;
+  return p;
 }
 
 Dense primitive(Dense p, Meter& meter) {
@@ -186,13 +218,7 @@ Dense odd_part(const Dense& p, Meter& meter) {
   for (int i = 1; simple.size() > 1; ++i) {
     const Dense next = gcd(simple, rest, meter);
     const Dense factor = *quotient(simple, next, meter);  // p_i
-    if (i % 2 == 1) {
-      Dense product(result.size() + factor.size() - 1);
-      for (std::size_t j = 0; j < result.size(); ++j) {
-        for (std::size_t k = 0; k < factor.size(); ++k) product[j + k] += meter.multiply(result[j], factor[k]);
-      }
-      result = std::move(product);
-    }
+    if (i % 2 == 1) result = multiply(result, factor, meter);
     rest = *quotient(rest, next, meter);
     simple = next;
   }
@@ -219,6 +245,29 @@ int zeros_between(const Dense& p, const Fraction& low, const Fraction& high, Met
   divide_out(rest, low, meter);
   divide_out(rest, high, meter);
   return zeros_within(rest, low, high, meter);
+}
+
+Fraction middle_of(const Fraction& low, const Fraction& high, Meter& meter) {
+  return reduced(meter.multiply(low.numerator, high.denominator) + meter.multiply(high.numerator, low.denominator),
+                 2 * meter.multiply(low.denominator, high.denominator), meter);
+}
+
+bool is_positive_between(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter) {
+  if (p.empty() || zeros_between(p, low, high, meter) != 0) return false;
+  const Fraction sample = middle_of(low, high, meter);
+  return sign_at(p, sample.numerator, sample.denominator, meter) > 0;
+}
+
+bool is_nonnegative_between(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter) {
+  if (p.empty()) return true;
+  if (zeros_between(odd_part(p, meter), low, high, meter) != 0) return false;
+  Fraction sample = high;
+  int sign = 0;
+  while (sign == 0) {  // ends: p has finitely many zeros
+    sample = middle_of(low, sample, meter);
+    sign = sign_at(p, sample.numerator, sample.denominator, meter);
+  }
+  return sign > 0;
 }
 
 bool is_schur_stable(Dense p, Meter& meter) {

@@ -64,6 +64,11 @@ Finding check_nonnegative_symbol(const Context& context, Fields& fields, bool pr
 Finding check_stability(const Context& context, Fields& fields, bool proved);
 Finding check_nonstationary(const Context& context, Fields& fields, bool proved);
 
+/// The same along a parameter of the mask.
+Finding check_nonnegative_family(const Context& context, Fields& fields, bool proved);
+Finding check_jsr_lower_family(const Context& context, Fields& fields, bool proved);
+Finding check_jsr_family(const Context& context, Fields& fields, bool proved);
+
 /// For kinds of claims that cannot be refuted.
 void require_proved(const Fields& fields, bool proved);
 

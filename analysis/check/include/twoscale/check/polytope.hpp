@@ -18,6 +18,9 @@ struct PolytopeReport {
 PolytopeReport check_polytope(std::span<const Matrix> matrices, const Radius& radius, unsigned bits, bool plain,
                               Fields& fields, Meter& meter);
 
+/// Reads "sign", the next member: 1 or -1.
+int read_sign(Fields& fields);
+
 /// An array of indices less than `count`, at most 4096 of them.
 std::vector<std::size_t> read_indices(const std::vector<Value>& items, std::size_t count, const std::string& where);
 

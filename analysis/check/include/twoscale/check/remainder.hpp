@@ -7,6 +7,7 @@
 
 #include "twoscale/check/claims.hpp"
 #include "twoscale/check/matrix.hpp"
+#include "twoscale/check/polynomial_matrix.hpp"
 
 #include <optional>
 #include <vector>
@@ -31,6 +32,23 @@ Coefficients exact_remainder(const Context& context, long order);
 
 /// B_0, ..., B_{m-1} for the remainder of order N exactly.
 std::vector<Matrix> remainder_matrices(const Context& context, long order);
+
+/// c_i = (constant[i] + w*linear[i])/scale, from the first that is not 0 identically to the last; scale > 0.
+struct AffineCoefficients {
+  std::vector<Integer> constant, linear;
+  Integer scale = 1;
+};
+
+/// c for the order N >= 1, not necessarily the exact one, of a mask with exactly one variable w, a constant, in which c
+/// is affine; S_m^N divides a and a(1) = m identically. Refused otherwise.
+AffineCoefficients affine_remainder(const Context& context, long order);
+
+/// c at w.
+Coefficients at(const AffineCoefficients& c, const Fraction& w, Meter& meter);
+
+/// scale*q*B_0, ..., scale*q*B_{m-1} for w = p/q, p and q polynomials.
+std::vector<PolynomialMatrix> remainder_matrices(const AffineCoefficients& c, long arity, const Dense& p,
+                                                 const Dense& q, Meter& meter);
 
 /// The mask has exactly one variable w, a constant, in which c is affine. B_0, ..., B_{m-1} for w = low and, if high is
 /// another number, for w = high; all other B_s(w), low <= w <= high, are convex combinations of these two. N >= 1.

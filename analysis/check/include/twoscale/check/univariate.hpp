@@ -14,11 +14,19 @@ namespace twoscale::check {
 /// Coefficients from the constant term up; the last one is not zero; the zero polynomial is empty.
 using Dense = std::vector<Integer>;
 
+/// Accounts for the memory that p keeps.
+void hold(const Dense& p, Meter& meter);
+
 /// p as a polynomial in the variable with index 0, the only one that occurs.
 Dense dense(const Polynomial& p);
 
 /// p/g over Z if g (not zero) divides p.
 std::optional<Dense> quotient(const Dense& p, const Dense& g, Meter& meter);
+
+/// target += p*q.
+void add_product(Dense& target, const Dense& p, const Dense& q, Meter& meter);
+Dense multiply(const Dense& p, const Dense& q, Meter& meter);
+Dense negated(Dense p);
 
 /// p divided by its positive content.
 Dense primitive(Dense p, Meter& meter);
@@ -53,6 +61,13 @@ Dense odd_part(const Dense& p, Meter& meter);
 int zeros_within(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter);
 int zeros_from(const Dense& p, const Fraction& low, Meter& meter);
 int zeros_between(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter);
+
+/// Is p > 0, is p >= 0 in the whole open interval (low, high), low < high?
+bool is_positive_between(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter);
+bool is_nonnegative_between(const Dense& p, const Fraction& low, const Fraction& high, Meter& meter);
+
+/// (low + high)/2.
+Fraction middle_of(const Fraction& low, const Fraction& high, Meter& meter);
 
 /// Do all complex zeros of p (not zero) lie in |x| < 1? Schur and Cohn: a polynomial p of degree d >= 1 has this
 /// property if and only if |p_0| < |p_d| and (p_d p(x) - p_0 x^d p(1/x))/x has it.
