@@ -21,5 +21,6 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/twoscale-config-version.
 install(FILES
   "${PROJECT_BINARY_DIR}/twoscale-config.cmake" "${PROJECT_BINARY_DIR}/twoscale-config-version.cmake"
   "${CMAKE_CURRENT_LIST_DIR}/FindGiNaC.cmake" "${CMAKE_CURRENT_LIST_DIR}/FindFlintArb.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/FindGLPK.cmake"
   DESTINATION "${TWOSCALE_PACKAGE_DIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/COPYING" "${PROJECT_SOURCE_DIR}/LICENSES/0BSD.txt" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -256,7 +256,9 @@ class CellProver {
     } else if (a == -1 && b == -1) {
       if (refute(low, high, low, high, tau, cell)) return;
     }
-    if (high - low <= resolution_) {
+    // A boundary is approached much closer: few cells are there.
+    const bool mixed = a * b < 0;
+    if (high - low <= (mixed ? resolution_ / Rational(256) : resolution_)) {
       if (a != b && (a == -1 || b == -1)) boundary(low, high, a == -1, tau, cell);
       return;
     }
