@@ -3,28 +3,33 @@
 
 #include <arb.h>
 
+#include "twoscale/analysis/matrix.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::analysis {
 
-Polynomial determinant(PolynomialMatrix a) {
+Polynomial determinant_of(const PolynomialMatrix& a) {
   const size_t n = a.size();
-  Polynomial previous = 1;
-  bool negative = false;
-  for (size_t k = 0; k + 1 < n; ++k) {
-    size_t pivot = k;
-    while (pivot < n && a[pivot][k].is_zero()) ++pivot;
-    if (pivot == n) return 0;
-    if (pivot != k) {
-      std::swap(a[pivot], a[k]);
-      negative = !negative;
-    }
-    for (size_t i = k + 1; i < n; ++i)
-      for (size_t j = k + 1; j < n; ++j)
-        a[i][j] = Polynomial::exact_quotient(a[i][j] * a[k][k] - a[i][k] * a[k][j], previous);
-    previous = a[k][k];
+  SymbolicMatrix m(n, n);
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < n; ++j) m(i, j) = RationalFunction(a[i][j]);
+  return determinant(m).numerator();
+}
+
+PolynomialMatrix product_of(const std::vector<PolynomialMatrix>& b, const Word& word) {
+  const size_t size = b[0].size();
+  PolynomialMatrix p(size, std::vector<Polynomial>(size));
+  for (size_t i = 0; i < size; ++i) p[i][i] = 1;
+  for (const int s : word) {
+    PolynomialMatrix next(size, std::vector<Polynomial>(size));
+    for (size_t i = 0; i < size; ++i)
+      for (size_t j = 0; j < size; ++j)
+        for (size_t k = 0; k < size; ++k)
+          if (!b[static_cast<size_t>(s)][i][k].is_zero() && !p[k][j].is_zero())
+            next[i][j] += b[static_cast<size_t>(s)][i][k] * p[k][j];
+    p = std::move(next);
   }
-  return negative ? -a[n - 1][n - 1] : a[n - 1][n - 1];
+  return p;
 }
 
 AffineFamily::AffineFamily(const Scheme& scheme, std::string name) : name_(std::move(name)), arity_(scheme.arity) {
@@ -108,23 +113,12 @@ Polynomial AffineFamily::central_characteristic_polynomial() const {
       entry = j == 0 ? -at(i) : -(at(i - arity_ * j) + at(i + arity_ * j));
       if (i == j) entry += x;
     }
-  return determinant(std::move(m));
+  return determinant_of(m);
 }
 
 Polynomial AffineFamily::determinant_beyond(const Word& word, long sign, const Rational& tau) const {
-  const std::vector<PolynomialMatrix> b = matrices();
-  const size_t size = b[0].size();
-  PolynomialMatrix p(size, std::vector<Polynomial>(size));
-  for (size_t i = 0; i < size; ++i) p[i][i] = 1;
-  for (const int s : word) {
-    PolynomialMatrix next(size, std::vector<Polynomial>(size));
-    for (size_t i = 0; i < size; ++i)
-      for (size_t j = 0; j < size; ++j)
-        for (size_t k = 0; k < size; ++k)
-          if (!b[static_cast<size_t>(s)][i][k].is_zero() && !p[k][j].is_zero())
-            next[i][j] += b[static_cast<size_t>(s)][i][k] * p[k][j];
-    p = std::move(next);
-  }
+  PolynomialMatrix p = product_of(matrices(), word);
+  const size_t size = p.size();
   // (tau denominator)^n = numerator/divisor: divisor P is compared with the numerator.
   const Rational level = (tau * denominator_).pow(static_cast<long>(word.size()));
   const Polynomial numerator = Polynomial::constant(level.numerator());
@@ -134,7 +128,7 @@ Polynomial AffineFamily::determinant_beyond(const Word& word, long sign, const R
       p[i][j] *= divisor;
       if (i == j) p[i][j] += numerator;
     }
-  return determinant(std::move(p));
+  return determinant_of(p);
 }
 
 std::string branch_expression(const Polynomial& f, const std::string& name, const Rational& sample,

@@ -11,8 +11,9 @@
 namespace twoscale::analysis {
 
 using PolynomialMatrix = std::vector<std::vector<Polynomial>>;
-// By fraction-free elimination (Bareiss).
-Polynomial determinant(PolynomialMatrix a);
+Polynomial determinant_of(const PolynomialMatrix& a);
+// The product in the order of the word, its first letter acting first.
+PolynomialMatrix product_of(const std::vector<PolynomialMatrix>& b, const Word& word);
 
 class AffineFamily {
  public:

@@ -1,39 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "twoscale/analysis/matrix.hpp"
 
-#include <flint/fmpq_mat.h>
-#include <flint/fmpq_poly.h>
-
 #include <algorithm>
 #include <stdexcept>
+
+#include "twoscale/analysis/rational_matrix.hpp"
 
 namespace twoscale::analysis {
 
 namespace {
 
-// ---- over Q: FLINT
+// ---- over Q: by RationalMatrix
 
-struct FlintMatrix {
-  fmpq_mat_t m;
-  FlintMatrix(std::size_t rows, std::size_t columns) {
-    fmpq_mat_init(m, static_cast<slong>(rows), static_cast<slong>(columns));
-  }
-  explicit FlintMatrix(const Matrix<Rational>& a) : FlintMatrix(a.rows(), a.columns()) {
-    for (std::size_t i = 0; i < a.rows(); ++i)
-      for (std::size_t j = 0; j < a.columns(); ++j) fmpq_set(at(i, j), a(i, j).raw());
-  }
-  FlintMatrix(const FlintMatrix&) = delete;
-  FlintMatrix& operator=(const FlintMatrix&) = delete;
-  ~FlintMatrix() { fmpq_mat_clear(m); }
+RationalMatrix flint(const Matrix<Rational>& a) {
+  RationalMatrix r(static_cast<long>(a.rows()), static_cast<long>(a.columns()));
+  for (std::size_t i = 0; i < a.rows(); ++i)
+    for (std::size_t j = 0; j < a.columns(); ++j) r.set(static_cast<long>(i), static_cast<long>(j), a(i, j));
+  return r;
+}
 
-  fmpq* at(std::size_t i, std::size_t j) { return fmpq_mat_entry(m, static_cast<slong>(i), static_cast<slong>(j)); }
-  Matrix<Rational> value() {
-    Matrix<Rational> r(static_cast<std::size_t>(fmpq_mat_nrows(m)), static_cast<std::size_t>(fmpq_mat_ncols(m)));
-    for (std::size_t i = 0; i < r.rows(); ++i)
-      for (std::size_t j = 0; j < r.columns(); ++j) r(i, j) = Rational(at(i, j));
-    return r;
-  }
-};
+Matrix<Rational> generic(const RationalMatrix& a) {
+  Matrix<Rational> r(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.columns()));
+  for (std::size_t i = 0; i < r.rows(); ++i)
+    for (std::size_t j = 0; j < r.columns(); ++j) r(i, j) = a(static_cast<long>(i), static_cast<long>(j));
+  return r;
+}
 
 void require_square(std::size_t rows, std::size_t columns) {
   if (rows != columns) throw std::logic_error("a square matrix is needed");
@@ -231,9 +222,7 @@ void collect_blocks(const SymbolicMatrix& a, std::vector<std::vector<RationalFun
 
 Matrix<Rational> product(const Matrix<Rational>& a, const Matrix<Rational>& b) {
   if (a.columns() != b.rows()) throw std::logic_error("product: sizes do not fit");
-  FlintMatrix r(a.rows(), b.columns());
-  fmpq_mat_mul(r.m, FlintMatrix(a).m, FlintMatrix(b).m);
-  return r.value();
+  return generic(flint(a) * flint(b));
 }
 
 SymbolicMatrix product(const SymbolicMatrix& a, const SymbolicMatrix& b) {
@@ -249,9 +238,7 @@ SymbolicMatrix product(const SymbolicMatrix& a, const SymbolicMatrix& b) {
 
 Rational determinant(const Matrix<Rational>& a) {
   require_square(a.rows(), a.columns());
-  Rational r;
-  fmpq_mat_det(r.raw(), FlintMatrix(a).m);
-  return r;
+  return flint(a).determinant();
 }
 
 RationalFunction determinant(const SymbolicMatrix& a) {
@@ -265,8 +252,7 @@ RationalFunction determinant(const SymbolicMatrix& a) {
 }
 
 std::size_t rank(const Matrix<Rational>& a) {
-  FlintMatrix m(a);
-  return static_cast<std::size_t>(fmpq_mat_rref(m.m, m.m));
+  return static_cast<std::size_t>(flint(a).rank());
 }
 
 std::size_t rank(const SymbolicMatrix& a) {
@@ -276,20 +262,11 @@ std::size_t rank(const SymbolicMatrix& a) {
 }
 
 std::vector<std::vector<Rational>> kernel(const Matrix<Rational>& a) {
-  FlintMatrix m(a);
-  const auto r = static_cast<std::size_t>(fmpq_mat_rref(m.m, m.m));
-  const Matrix<Rational> e = m.value();
-  std::vector<std::size_t> pivots;
-  for (std::size_t i = 0, c = 0; i < r; ++i, ++c) {
-    while (e(i, c).is_zero()) ++c;
-    pivots.push_back(c);
-  }
+  const Matrix<Rational> columns = generic(flint(a).kernel());
   std::vector<std::vector<Rational>> basis;
-  for (std::size_t c = 0; c < a.columns(); ++c) {
-    if (std::binary_search(pivots.begin(), pivots.end(), c)) continue;
+  for (std::size_t j = 0; j < columns.columns(); ++j) {
     std::vector<Rational> x(a.columns());
-    x[c] = 1;
-    for (std::size_t i = 0; i < r; ++i) x[pivots[i]] = -e(i, c);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = columns(i, j);
     basis.push_back(primitive(x));
   }
   return basis;
@@ -312,9 +289,9 @@ std::vector<std::vector<RationalFunction>> kernel(const SymbolicMatrix& a) {
 
 std::optional<Matrix<Rational>> inverse(const Matrix<Rational>& a) {
   require_square(a.rows(), a.columns());
-  FlintMatrix r(a.rows(), a.rows());
-  if (fmpq_mat_inv(r.m, FlintMatrix(a).m) == 0) return std::nullopt;
-  return r.value();
+  const auto r = flint(a).inverse();
+  if (!r) return std::nullopt;
+  return generic(*r);
 }
 
 std::optional<SymbolicMatrix> inverse(const SymbolicMatrix& a) {
@@ -338,12 +315,11 @@ std::optional<SymbolicMatrix> inverse(const SymbolicMatrix& a) {
 
 std::vector<Rational> characteristic_polynomial(const Matrix<Rational>& a) {
   require_square(a.rows(), a.columns());
-  fmpq_poly_t p;
-  fmpq_poly_init(p);
-  fmpq_mat_charpoly(p, FlintMatrix(a).m);
+  const Polynomial p = flint(a).characteristic_polynomial();
+  const fmpz_poly_struct* view = p.univariate_view();
   std::vector<Rational> r(a.rows() + 1);
-  for (std::size_t k = 0; k < r.size(); ++k) fmpq_poly_get_coeff_fmpq(r[k].raw(), p, static_cast<slong>(k));
-  fmpq_poly_clear(p);
+  for (std::size_t k = 0; k < r.size(); ++k)
+    fmpq_set_fmpz_frac(r[k].raw(), fmpz_poly_get_coeff_ptr(view, static_cast<slong>(k)), fmpz_poly_lead(view));
   return r;
 }
 

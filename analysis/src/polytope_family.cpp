@@ -111,22 +111,13 @@ std::optional<Parametrization> parametrized(const Polynomial& f, const std::stri
 // The factor of the characteristic equation of sign x^n = an eigenvalue of B_word(w) that rho(w0) satisfies.
 std::optional<Polynomial> radius_equation(const AffineFamily& family, const Word& word, int sign, const Rational& w0,
                                           const RealAlgebraic& rho) {
-  const std::vector<PolynomialMatrix> b = family.matrices();
-  const size_t size = b[0].size();
-  PolynomialMatrix p(size, std::vector<Polynomial>(size));
-  for (size_t i = 0; i < size; ++i) p[i][i] = 1;
-  for (const int s : word) {
-    PolynomialMatrix next(size, std::vector<Polynomial>(size));
-    for (size_t i = 0; i < size; ++i)
-      for (size_t j = 0; j < size; ++j)
-        for (size_t k = 0; k < size; ++k) next[i][j] += b[static_cast<size_t>(s)][i][k] * p[k][j];
-    p = std::move(next);
-  }
+  PolynomialMatrix p = product_of(family.matrices(), word);
+  const size_t size = p.size();
   const Rational scale = family.denominator().pow(static_cast<long>(word.size()));
   const Polynomial x = Polynomial::variable("x").pow(static_cast<unsigned>(word.size())).scaled(scale * Rational(sign));
   for (size_t i = 0; i < size; ++i)
     for (size_t j = 0; j < size; ++j) p[i][j] = i == j ? x - p[i][j] : -p[i][j];
-  const Polynomial chi = determinant(std::move(p));
+  const Polynomial chi = determinant_of(p);
   if (chi.is_zero()) return std::nullopt;
   for (const auto& [factor, exponent] : chi.factor().factors) {
     if (factor.degree("x") < 1) continue;

@@ -63,6 +63,12 @@ std::optional<RationalMatrix> RationalMatrix::inverse() const {
   return r;
 }
 
+Rational RationalMatrix::determinant() const {
+  Rational r;
+  fmpq_mat_det(r.raw(), m_);
+  return r;
+}
+
 long RationalMatrix::rank() const {
   RationalMatrix r(rows(), columns());
   return fmpq_mat_rref(r.m_, m_);

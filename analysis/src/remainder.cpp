@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "twoscale/analysis/positivity.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::analysis {
@@ -54,15 +55,6 @@ Polynomial integer_polynomial(Coefficients list, const char* name) {
   const Rational d = common_denominator_of(list);
   for (auto& c : list) c *= d;
   return Polynomial::univariate(name, list);
-}
-
-bool has_zero_between(const Polynomial& p, bool closed) {
-  for (const auto& zero : RealAlgebraic::zeros(p)) {
-    const int low = RealAlgebraic::compare(zero, Rational(-1));
-    const int high = RealAlgebraic::compare(zero, Rational(1));
-    if (closed ? low >= 0 && high <= 0 : low > 0 && high < 0) return true;
-  }
-  return false;
 }
 
 long euler_phi(long n) {
@@ -171,11 +163,9 @@ Polynomial cosine_polynomial(const std::vector<Rational>& g) {
 
 bool nonnegative_on_circle(const Polynomial& p) {
   if (p.is_constant()) return p.constant_value().sign() >= 0;
-  for (const auto& [factor, exponent] : p.factor().factors)
-    if (exponent % 2 == 1 && has_zero_between(factor, false)) return false;
-  // No change of sign: one value decides.
-  for (long n = 2;; ++n)
-    if (const int s = sign_at(p, Rational(1, n)); s != 0) return s > 0;
+  SignOptions options;
+  options.strict = false;
+  return decide_sign(p, {{"x", Rational(-1), Rational(1)}}, options).verdict == Verdict::proved;
 }
 
 Stability shift_stability(const Laurent& a, long m) {
@@ -197,7 +187,8 @@ Stability shift_stability(const Laurent& a, long m) {
   if (!g.is_constant()) {
     Coefficients list;
     for (long i = 0; i <= g.degree("z"); ++i) list.emplace_back(fmpz_poly_get_coeff_ptr(g.univariate_view(), i));
-    result.common_zero = has_zero_between(cosine_polynomial(autocorrelation(list)), true);
+    const Polynomial modulus = cosine_polynomial(autocorrelation(list));
+    result.common_zero = !modulus.is_constant() && count_zeros(modulus, Rational(-1), Rational(1), Ends::closed) > 0;
   }
   // (ii) differences of the coset parts.
   Polynomial differences = 0;

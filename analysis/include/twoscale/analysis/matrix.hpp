@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dense exact matrices over Q and over Q(parameters).
 //
-// Matrix<Rational> computes in FLINT (fmpq_mat). Matrix<RationalFunction> clears denominators and eliminates without
+// For code that is written once for both scalars. Matrix<Rational> hands its work to RationalMatrix (FLINT), which code
+// that has rational matrices only uses itself. Matrix<RationalFunction> clears denominators and eliminates without
 // fractions over Z[parameters] (Bareiss 1968), so that nothing is inverted and no denominator is factored on the way;
 // the characteristic polynomial is taken block by block of the block triangular form and, for blocks that commute with
 // the reversal of indices, of the even and the odd part apart.

@@ -45,6 +45,7 @@ class RationalMatrix {
   RationalMatrix transposed() const;
   RationalMatrix block(long row, long column, long rows, long columns) const;
   std::optional<RationalMatrix> inverse() const;  // nullopt if singular; required: square
+  Rational determinant() const;                   // required: square
   long rank() const;
   // A basis of {x : A x = 0}, one vector a column.
   RationalMatrix kernel() const;
