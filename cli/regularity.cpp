@@ -145,6 +145,17 @@ std::string regularity_json(const Scheme& s, const Regularity& r, const std::str
     j["obstacle"] = r.obstacle;
   } else {
     j["jsr"] = jsr_json(r.jsr);
+    Json matrices = Json::array();
+    for (const auto& b : r.matrices) {
+      Json rows = Json::array();
+      for (long i = 0; i < b.rows(); ++i) {
+        Json row = Json::array();
+        for (long k = 0; k < b.columns(); ++k) row.push_back(b(i, k).to_string());
+        rows.push_back(row);
+      }
+      matrices.push_back(rows);
+    }
+    j["transition_matrices"] = matrices;
     j["blocks"] = r.blocks;
     j["stable"] = r.stability.stable;
     j["method"] = hyphenated(r.method);
@@ -179,11 +190,12 @@ std::string regularity_text(const Scheme& s, const Regularity& r, const std::str
   std::string remainder;
   for (const auto& c : r.c) remainder += " " + c.to_string();
   out << "remainder   c =" << (remainder.size() <= 300 ? remainder : " " + std::to_string(r.c.size()) + " coefficients") << "\n";
-  if (r.blocks.size() > 1) {
-    out << "blocks     ";
-    for (const long b : r.blocks) out << " " << b;
-    out << "\n";
-  }
+  out << "matrices    " << r.matrices.size() << " of size " << r.matrices[0].rows();
+  if (r.blocks.size() == 1) out << ", no common invariant subspace found";
+  if (r.blocks.size() > 1) out << ", block triangular with blocks of sizes";
+  for (const long b : r.blocks)
+    if (r.blocks.size() > 1) out << " " << b;
+  out << "\n";
   out << "radius      rho = " << jsr_text(r.jsr) << "\n";
   out << "stability   " << stability_text(r.stability) << "\n";
   out << "Hölder      " << exponent_text(r.hoelder);

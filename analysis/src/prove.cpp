@@ -8,6 +8,7 @@
 
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/exponential_sums.hpp"
+#include "twoscale/analysis/regularity.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/interpolatory.hpp"
 
@@ -742,6 +743,28 @@ class Prover {
   std::optional<Space> own_space_;
 };
 
+// continuity=l, or contractive: some power of the difference scheme has norm < 1, which is C^0 with sum rules.
+bool is_smoothness(const std::string& claim) { return claim == "continuity" || claim == "contractive"; }
+
+Decision smoothness(const Scheme& scheme, const Claim& claim, bool own_variables) {
+  long l = 0;
+  if (!claim.subject.empty()) {
+    l = Rational::parse(claim.subject).to_long();
+    if (l < 0 || l > 64) bad_input("continuity: an integer from 0 to 64 is expected", claim.subject);
+  }
+  if (!own_variables) {
+    Decision d;
+    d.claim = claim.name;
+    d.subject = claim.subject;
+    d.witness = "another claim of this request changes the level variables; ask for this one by itself";
+    return d;
+  }
+  Decision d = decide_continuity(scheme, l, {});
+  d.claim = claim.name;
+  d.subject = claim.name == "continuity" ? d.subject : "";
+  return d;
+}
+
 bool takes_space(const std::string& claim) {
   return claim == "generates" || claim == "reproduces" || claim == "maximal";
 }
@@ -749,8 +772,8 @@ bool takes_space(const std::string& claim) {
 }  // namespace
 
 const std::vector<std::string>& claim_names() {
-  static const std::vector<std::string> names = {"interpolatory", "symmetric", "sum-rules",   "generates",
-                                                 "reproduces",    "maximal",   "well-defined"};
+  static const std::vector<std::string> names = {"interpolatory", "symmetric",    "sum-rules",  "generates",  "reproduces",
+                                                 "maximal",       "well-defined", "continuity", "contractive"};
   return names;
 }
 
@@ -831,7 +854,7 @@ Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
     const auto& names = claim_names();
     if (std::find(names.begin(), names.end(), c.name) == names.end())
       bad_input("claim is not one that can be decided here", c.name);
-    if (!takes_space(c.name) && c.name != "sum-rules" && !c.subject.empty())
+    if (!takes_space(c.name) && c.name != "sum-rules" && c.name != "continuity" && !c.subject.empty())
       bad_input(c.name + " takes no subject", c.subject);
   }
   const Prepared p = prepare(scheme, claims);
@@ -843,7 +866,10 @@ Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
     const Claim& c = claims[i];
     if (takes_space(c.name) && !p.subjects[i])
       bad_input(c.name + " needs a space: " + c.name + "=\"1,x,...\"", scheme.id);
-    Decision d = c.name == "interpolatory" ? prover.interpolatory()
+    const bool own_variables = p.variables.size() == p.scale.size() &&
+                               std::all_of(p.scale.begin(), p.scale.end(), [](unsigned n) { return n == 1; });
+    Decision d = is_smoothness(c.name)     ? smoothness(scheme, c, own_variables)
+                 : c.name == "interpolatory" ? prover.interpolatory()
                  : c.name == "symmetric"   ? prover.symmetric()
                  : c.name == "sum-rules"   ? prover.sum_rules(c.subject)
                  : c.name == "generates"   ? prover.generates(*p.subjects[i])
@@ -851,6 +877,8 @@ Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
                  : c.name == "maximal"     ? prover.maximal(*p.subjects[i])
                                            : prover.well_defined();
     if (!d.evidence.is_null() && d.verdict != Verdict::undecided) entries.push_back(d.evidence);
+    for (const auto& e : d.supporting)
+      if (std::find(entries.begin(), entries.end(), e) == entries.end()) entries.push_back(e);
     proof.decisions.push_back(std::move(d));
   }
   if (!entries.empty()) proof.certificate = certificate_text(scheme, mask.data(), entries);

@@ -246,7 +246,8 @@ Regularity regularity(const Scheme& scheme, const RegularityOptions& options) {
   std::vector<Json> claims;
 
   const auto half = symmetric_half(rest.c);
-  const Family family = transition_matrices(rest);
+  r.matrices = transition_matrices(rest);
+  constexpr long examined = 16;  // a size up to which invariant subspaces are looked for when nothing depends on them
   if (!options.polytope_only && half && nonnegative_on_circle(cosine_polynomial(*half))) {
     const CentralRadius central = central_radius(*half, m);
     r.jsr.exact = central.radius;
@@ -257,10 +258,11 @@ Regularity regularity(const Scheme& scheme, const RegularityOptions& options) {
     r.jsr.method = "nonnegative symbol";
     claims.push_back(nonnegative_claim(rest.order, "remainder", central.radius));
   } else {
-    r.jsr = joint_spectral_radius(family, {rest.order, {}}, options.jsr);
+    r.jsr = joint_spectral_radius(r.matrices, {rest.order, {}}, options.jsr);
     claims = r.jsr.claims;
-    r.blocks = block_triangular_form(family).sizes;
   }
+  if (r.jsr.method != "nonnegative symbol" || r.matrices[0].rows() <= examined)
+    r.blocks = block_triangular_form(r.matrices).sizes;
   r.method = r.jsr.method;
   r.stability = shift_stability(*limit, m);
   claims.push_back(stability_claim(r.stability));
@@ -301,7 +303,36 @@ Regularity regularity(const Scheme& scheme, const RegularityOptions& options) {
     }
   }
   r.certificate = certificate_text(scheme, mask_data(scheme), claims);
+  r.claims = std::move(claims);
   return r;
+}
+
+Decision decide_continuity(const Scheme& scheme, long l, const RegularityOptions& options) {
+  Decision d;
+  d.claim = "continuity";
+  d.subject = std::to_string(l);
+  d.domain = is_stationary(scheme) ? "all data" : "every v^0 > -1 without a singular step, all levels";
+  const Regularity r = regularity(scheme, options);
+  if (!r.obstacle.empty()) {
+    d.witness = r.obstacle;  // no certificate of this document refutes; prove --claim sum-rules=1 does
+    return d;
+  }
+  d.exceptions = r.excluded;
+  const Rational threshold = Rational(scheme.arity).pow(r.order - l);
+  const bool beyond = r.jsr.exact ? RealAlgebraic::compare(*r.jsr.exact, threshold) >= 0 : r.jsr.lower >= threshold;
+  if (r.continuity >= l && (!r.level_dependent || r.transferred)) {
+    d.verdict = Verdict::proved;
+  } else if (beyond && !r.level_dependent && r.stability.stable) {
+    d.verdict = Verdict::refuted;
+    d.witness = "the radius of the remainder of order " + std::to_string(r.order) + " is not below " +
+                threshold.to_string() + ", and the integer shifts are stable";
+  } else {
+    d.witness = beyond ? "the radius of the limit is not small enough, which does not refute it for this scheme"
+                       : "the bounds of the radius do not decide it";
+    return d;
+  }
+  d.supporting = r.claims;
+  return d;
 }
 
 }  // namespace twoscale::analysis

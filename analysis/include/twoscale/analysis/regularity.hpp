@@ -15,6 +15,7 @@
 
 #include "twoscale/analysis/jsr.hpp"
 #include "twoscale/analysis/remainder.hpp"
+#include "twoscale/analysis/verdict.hpp"
 #include "twoscale/symbolic/scheme.hpp"
 
 namespace twoscale::analysis {
@@ -32,7 +33,8 @@ struct Exponent {
 struct Regularity {
   long order = 0;                // N
   std::vector<Rational> c;       // the remainder
-  std::vector<long> blocks;      // sizes of the diagonal blocks of the transition matrices
+  Family matrices;               // the transition matrices B_0..B_{m-1}
+  std::vector<long> blocks;      // sizes of the diagonal blocks of their common block triangular form
   std::string obstacle;          // why the scheme cannot converge; empty if that is not seen from the sum rules
   long continuity = -1;          // C^continuity is proved; -1: not even C^0
   Exponent hoelder;
@@ -46,6 +48,7 @@ struct Regularity {
   bool transferred = false;          // the limit's exponent holds for the scheme itself
   std::string generated;             // the space whose generation proves that
   std::vector<std::string> excluded; // values of v^0 for which some step has a pole
+  std::vector<nlohmann::ordered_json> claims;  // of the certificate
   std::string certificate;
 };
 
@@ -56,6 +59,10 @@ struct RegularityOptions {
 
 // Required: no free constant parameter (Error bad_input names it).
 Regularity regularity(const Scheme& scheme, const RegularityOptions& options);
+
+// Is the scheme C^l? Proved from an upper bound of the radius (and, level-dependent, by transfer from the limit); refuted
+// for a stationary scheme with stable integer shifts and rho >= m^{N-l}.
+Decision decide_continuity(const Scheme& scheme, long l, const RegularityOptions& options);
 
 // N - log_m(radius), as an exponent, from the radius or its bounds.
 Exponent exponent_of(long order, long arity, const JsrResult& jsr);

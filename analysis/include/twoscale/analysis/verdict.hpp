@@ -22,6 +22,7 @@ struct Decision {
   std::vector<std::string> exceptions;  // values at which nothing is claimed, or the scheme does not exist
   std::string witness;                  // refuted: a counterexample a person can check; undecided: the reason
   nlohmann::ordered_json evidence;      // the entry of the certificate; null when undecided
+  std::vector<nlohmann::ordered_json> supporting;  // continuity: the entries that together establish it
 };
 
 }  // namespace twoscale::analysis
