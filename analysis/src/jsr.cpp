@@ -763,7 +763,16 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
         return std::nullopt;
       }
       if (rho && !(exact.front().radius == *rho)) return std::nullopt;
-      ExactOutcome outcome = prove_block_exact(block, exact, exact.front().radius, options, deadline);
+      // Where the leading vectors and their images do not span, or not well, short unit vectors help.
+      std::vector<Rational> extras{options.extra};
+      if (options.extra.is_zero()) extras.insert(extras.end(), {Rational(1, 4), Rational(1, 64)});
+      ExactOutcome outcome;
+      for (const auto& extra : extras) {
+        JsrOptions with = options;
+        with.extra = extra;
+        outcome = prove_block_exact(block, exact, exact.front().radius, with, Deadline(0.4 * deadline.left()));
+        if (outcome.block || outcome.better) break;
+      }
       if (outcome.block) {
         rho = exact.front().radius;
         for (const auto& c : exact)

@@ -423,10 +423,6 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
   result.samples.resize(static_cast<size_t>(options.samples));
   in_parallel(result.samples.size(), options.threads,
               [&](size_t i) { result.samples[i] = sample(from + Rational(static_cast<long>(i)) * step); });
-  long most = -1;
-  for (const auto& [w, r] : result.samples) most = std::max(most, r.continuity);
-  most = std::min(most, family.order() - 1);
-
   std::vector<Json> claims;
   const auto central = nonnegative_range(family, from, to);
   if (central) result.radius = central_ranges(family, central->first, central->second);
@@ -435,6 +431,12 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
   std::sort(result.radius.begin(), result.radius.end(),
             [](const auto& a, const auto& b) { return less(a.interval.from, b.interval.from); });
 
+  // C^l is looked at for the l that occur: at the samples and in each range.
+  long most = -1;
+  for (const auto& [w, r] : result.samples) most = std::max(most, r.continuity);
+  for (const auto& r : result.radius)
+    most = std::max(most, sample(rational_between(r.interval.from, r.interval.to)).second.continuity);
+  most = std::min(most, family.order() - 1);
   CellProver prover(family, options, (to - from) * options.resolution);
   for (long l = 0; l <= most; ++l) {
     const Rational tau = prover.threshold(l);
