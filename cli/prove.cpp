@@ -102,9 +102,8 @@ void add_prove_command(CLI::App& app, Session& session) {
       if (claims.empty()) claims = analysis::default_claims(s);
       const analysis::Proof proof = analysis::prove(s, claims);
       const std::string file = proof.certificate.empty() ? "" : o->certificate;
-      if (!file.empty()) kernels::write_file(file, proof.certificate);
-      deliver(session.common,
-              session.common.format == "json" ? prove_json(s, proof, file) : prove_text(s, proof, file));
+      deliver(session.common, session.common.format == "json" ? prove_json(s, proof, file) : prove_text(s, proof, file),
+              file, proof.certificate);
       return status(proof);
     };
   });

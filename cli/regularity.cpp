@@ -336,23 +336,20 @@ analysis::JsrOptions search_options(const Session& session, const Options& o) {
   return options;
 }
 
-void write_certificate(const std::string& file, const std::string& text) {
-  if (!file.empty()) kernels::write_file(file, text);
-}
-
 int run_matrices(const Session& session, const Options& o) {
   const analysis::Family family = read_matrices(o.matrices);
   const JsrResult r = analysis::joint_spectral_radius(family, {}, search_options(session, o));
-  write_certificate(o.certificate, analysis::certificate_text(o.matrices, family, r.claims));
+  const std::string certificate = analysis::certificate_text(o.matrices, family, r.claims);
   if (session.common.format == "json") {
     Json j = document(o.matrices);
     j["jsr"] = jsr_json(r);
     j["method"] = hyphenated(r.method);
     j["certificate"] = o.certificate.empty() ? Json(nullptr) : Json(o.certificate);
-    deliver(session.common, j.dump(1));
+    deliver(session.common, j.dump(1), o.certificate, certificate);
   } else {
     deliver(session.common, std::to_string(family.size()) + " matrices of size " + std::to_string(family[0].rows()) +
-                                "\nradius      " + jsr_text(r) + "\n");
+                                "\nradius      " + jsr_text(r) + "\n",
+            o.certificate, certificate);
   }
   return 0;
 }
@@ -363,9 +360,9 @@ int run_scheme(const Session& session, const Options& o) {
   options.jsr = search_options(session, o);
   const Regularity r = analysis::regularity(scheme, options);
   const std::string certificate = r.certificate.empty() ? "" : o.certificate;
-  write_certificate(certificate, r.certificate);
   deliver(session.common, session.common.format == "json" ? regularity_json(scheme, r, certificate)
-                                                          : regularity_text(scheme, r, certificate));
+                                                          : regularity_text(scheme, r, certificate),
+          certificate, r.certificate);
   return 0;
 }
 
@@ -474,9 +471,9 @@ int run_over(const Session& session, const Options& o) {
   options.threads = options.regularity.jsr.threads;
   const analysis::ParameterRange r = analysis::parameter_range(scheme, over.name, over.from, over.to, options);
   const std::string certificate = r.certificate.empty() ? "" : o.certificate;
-  write_certificate(certificate, r.certificate);
   deliver(session.common, session.common.format == "json" ? over_json(scheme, r, certificate)
-                                                          : over_text(scheme, r, certificate));
+                                                          : over_text(scheme, r, certificate),
+          certificate, r.certificate);
   return 0;
 }
 
@@ -487,6 +484,9 @@ Scheme with_constants(Scheme scheme, const std::vector<std::string>& at) {
   values.at = at;
   std::vector<std::pair<std::string, RationalFunction>> list;
   for (const auto& [name, text] : values.named()) {
+    if (text.empty()) bad_input("--at: a value is missing for", name);
+    for (const auto& [other, value] : list)
+      if (other == name) bad_input("--at: given twice", name);
     for (const auto& p : scheme.parameters)
       if (p.name == name && p.scope == Parameter::Scope::level)
         bad_input("the answer holds for all levels and every v^0: no value is taken for", name);
@@ -534,6 +534,8 @@ void add_regularity_command(CLI::App& app, Session& session) {
     session.keeps_time = true;
     session.action = [&session, o] {
       if (o->scheme.empty() == o->matrices.empty()) bad_input("regularity needs a scheme or --matrices FILE");
+      if (!o->matrices.empty() && (!o->over.empty() || !o->at.empty()))
+        bad_input("--matrices takes no parameters", o->over.empty() ? o->at.front() : o->over);
       if (!o->matrices.empty()) return run_matrices(session, *o);
       return o->over.empty() ? run_scheme(session, *o) : run_over(session, *o);
     };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session.hpp"
 
+#include <filesystem>
+
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
@@ -51,6 +53,26 @@ void add_values(CLI::App* command, Values& values) {
 void deliver(const Common& common, std::string text) {
   if (text.empty() || text.back() != '\n') text += '\n';
   kernels::write_file(common.output, text);
+}
+
+void deliver(const Common& common, const std::string& text, const std::string& file, const std::string& certificate) {
+  if (file.empty()) {
+    deliver(common, text);
+    return;
+  }
+  // What stood there before comes back if the result cannot be written.
+  std::optional<std::string> before;
+  if (std::filesystem::is_regular_file(file)) before = kernels::read_file(file);
+  kernels::write_file(file, certificate);
+  try {
+    deliver(common, text);
+  } catch (...) {
+    if (before)
+      kernels::write_file(file, *before);
+    else if (file != "-")
+      std::filesystem::remove(file);
+    throw;
+  }
 }
 
 }  // namespace twoscale::cli

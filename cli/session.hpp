@@ -46,6 +46,9 @@ void add_values(CLI::App* command, Values& values);
 // Writes the whole result to --output ("-": stdout), atomically. Ends it with a newline if it has none.
 void deliver(const Common& common, std::string text);
 
+// The same with a certificate beside it (none if `file` is empty): both are written, or neither.
+void deliver(const Common& common, const std::string& text, const std::string& file, const std::string& certificate);
+
 // One function a command; each declares its options on `app`.
 void add_list_command(CLI::App& app, Session& session);
 void add_show_command(CLI::App& app, Session& session);

@@ -95,9 +95,10 @@ struct Polytope {
 };
 
 // Follows the images of the roots under `normalised` until all are inside. With inflation > 0 every new vertex is pushed
-// outward by that factor and rounded to multiples of 2^-40.
+// outward by that factor and rounded to multiples of 2^-40. `faces`: images on the boundary count as inside, to be
+// proved exactly.
 Polytope estimate_polytope(const std::vector<Real>& normalised, std::vector<RealVector> roots, double inflation,
-                           size_t most, const Deadline& deadline) {
+                           bool faces, size_t most, const Deadline& deadline) {
   const long d = normalised[0].rows();
   Polytope p;
   p.roots = roots.size();
@@ -127,10 +128,15 @@ Polytope estimate_polytope(const std::vector<Real>& normalised, std::vector<Real
           p.images.push_back(std::move(image));
           continue;
         }
+        if (faces && at.norm < 1 + coincidence) {
+          image.coefficients = at.coefficients;
+          p.images.push_back(std::move(image));
+          continue;
+        }
       }
       Word word = words[v];
       word.push_back(static_cast<int>(s));
-      if (inflation == 0 && at.norm > 1 + 1e-4 && word.size() < 64) {
+      if (inflation == 0 && at.norm > 1 + 1e-4 && word.size() < 128) {
         Real b = Real::Identity(d, d);
         for (size_t i = word.size(); i-- > 0;) {
           b = b * normalised[static_cast<size_t>(word[i])];
@@ -288,7 +294,7 @@ std::optional<Json> prove_block_upper(const Family& block, const Rational& bound
     // The second time with short unit vectors, which make the hull full-dimensional from the start.
     if (attempt == 1)
       for (long i = 0; i < d; ++i) roots.push_back(RealVector::Unit(d, i) / 1024);
-    const Polytope p = estimate_polytope(normalised, roots, inflation, options.vertices, deadline);
+    const Polytope p = estimate_polytope(normalised, roots, inflation, false, options.vertices, deadline);
     if (!p.closed) continue;
     const std::vector<size_t> inner = estimate_spanning(p.vertices, d);
     if (inner.empty()) continue;
@@ -499,7 +505,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     exact.depth.push_back(0);
   }
 
-  const Polytope p = estimate_polytope(normalised, roots, 0, options.vertices, deadline);
+  const Polytope p = estimate_polytope(normalised, roots, 0, rational, options.vertices, deadline);
   if (p.better) return {std::nullopt, p.better, {}};
   if (!p.closed) {
     report(options, "the polytope did not close with " + std::to_string(p.vertices.size()) + " vertices");
@@ -748,7 +754,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
       continue;
     }
     bool done = false;
-    for (int round = 0; round < 6 && !done && !deadline.passed(); ++round) {
+    for (int round = 0; round < 64 && !done && !deadline.passed(); ++round) {
       std::vector<ExactCycle> exact;
       for (const auto& word : cycles.words) {
         if (exact.size() >= most_cycles) break;

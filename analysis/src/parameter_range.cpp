@@ -203,11 +203,11 @@ class CellProver {
       : family_(family),
         options_(options),
         resolution_(std::move(resolution)),
-        deadline_(options.regularity.jsr.seconds / 2) {
+        deadline_(0) {
     options_.regularity.jsr.progress = nullptr;
     options_.regularity.jsr.threads = 1;
     // Many small problems: each is given up early, a shorter interval is easier.
-    options_.regularity.jsr.seconds = std::min(options_.regularity.jsr.seconds, 1.0);
+    options_.regularity.jsr.seconds = std::min(options_.regularity.jsr.seconds / 40, 1.0);
     options_.regularity.jsr.vertices = std::min<size_t>(options_.regularity.jsr.vertices, 250);
     options_.regularity.jsr.width = std::max(options_.regularity.jsr.width, Rational(1, 1000));
   }
@@ -241,6 +241,8 @@ class CellProver {
     return prove_jsr_below(both, tau, subject, options_.regularity.jsr);
   }
 
+  // What follows has so long.
+  void allow(double seconds) { deadline_ = Deadline(seconds); }
   bool late() const { return deadline_.passed(); }
 
   void run(const Rational& low, const Rational& high, const Rational& tau, Cell& cell) {
@@ -412,7 +414,7 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
   RegularityOptions sample_options = options.regularity;
   sample_options.jsr.progress = nullptr;
   sample_options.jsr.threads = 1;
-  sample_options.jsr.seconds = std::min(sample_options.jsr.seconds, 10.0);
+  sample_options.jsr.seconds = std::min(sample_options.jsr.seconds / 20, 5.0);
   const auto sample = [&](const Rational& w) {
     Regularity r = regularity(with_values(scheme, {{name, w}}), sample_options);
     r.certificate.clear();
@@ -438,10 +440,12 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
     most = std::max(most, sample(rational_between(r.interval.from, r.interval.to)).second.continuity);
   most = std::min(most, family.order() - 1);
   CellProver prover(family, options, (to - from) * options.resolution);
+  const double share = 0.3 * options.regularity.jsr.seconds / static_cast<double>(std::max(1L, most + 1));
   for (long l = 0; l <= most; ++l) {
     const Rational tau = prover.threshold(l);
     ContinuityRange range;
     range.l = l;
+    prover.allow(share);
     for (const auto& r : result.radius) exact_continuity(family, r, l, range, claims);
     std::vector<std::pair<Rational, Rational>> cells;
     for (const auto& [low, high] : gaps_between(result.radius, from, to)) {
@@ -463,10 +467,13 @@ ParameterRange parameter_range(const Scheme& scheme, const std::string& name, co
     }
     tidy(range.proved);
     tidy(range.refuted);
-    range.joint = largest_joint(prover, range.proved, tau, (to - from) * Rational(1, 4096), options.threads,
-                                claims);
     if (options.regularity.jsr.progress) options.regularity.jsr.progress("C^" + std::to_string(l) + " done");
     result.continuity.push_back(std::move(range));
+  }
+  for (auto& range : result.continuity) {
+    prover.allow(share);
+    range.joint = largest_joint(prover, range.proved, prover.threshold(range.l), (to - from) * Rational(1, 4096),
+                                options.threads, claims);
   }
   if (!claims.empty()) result.certificate = certificate_text(scheme, mask_data(scheme), claims);
   return result;

@@ -330,7 +330,7 @@ class Follower {
   Follower(const AffineFamily& family, const JsrOptions& options) : family_(family), search_(options) {
     search_.progress = nullptr;
     search_.threads = 1;
-    search_.seconds = 2;
+    search_.seconds = std::min(options.seconds / 30, 2.0);
     search_.vertices = 60;
   }
 

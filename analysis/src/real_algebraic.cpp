@@ -226,6 +226,8 @@ Rational rational_between(const RealAlgebraic& a, const RealAlgebraic& b) {
 }
 
 std::optional<std::string> RealAlgebraic::expression() const {
+  constexpr slong readable = 200;  // bits of a coefficient
+  if (degree() > 1 && std::abs(fmpz_poly_max_bits(p_.univariate_view())) > readable) return std::nullopt;
   if (const auto q = rational()) return q->to_string();
   const fmpz_poly_struct* view = p_.univariate_view();
   const auto coefficient = [&](long i) { return Rational(fmpz_poly_get_coeff_ptr(view, i)); };
