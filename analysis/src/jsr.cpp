@@ -29,7 +29,7 @@ RationalMatrix product(const Family& family, const Word& word) {
 
 namespace {
 
-constexpr long working_bits = 192;    // of the balls that certify
+constexpr long working_bits = 192;    // of the balls that certify, beyond the size of the numbers
 constexpr double interior = 1e-7;     // an image this far inside is proved to be inside; others become vertices
 constexpr size_t most_cycles = 8;     // roots of one tree
 constexpr double coincidence = 1e-9;  // images this near to a vertex are tried as equal to it
@@ -421,6 +421,8 @@ struct ExactOutcome {
   std::optional<Json> block;
   std::optional<Word> better;
   PolytopeShape shape;
+  long cancelled = 0;  // bits that the evaluation of the vectors loses: the checker needs as many more
+  bool closed = false;  // the orbit ended; short unit vectors may still be needed to span
 };
 
 PolytopeShape shape_of(const std::vector<ExactCycle>& cycles, const Polytope& p, const std::vector<size_t>& inner) {
@@ -442,7 +444,6 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
                                const JsrOptions& options, const Deadline& deadline) {
   const long d = block[0].rows();
   const NumberField field(rho);
-  const Ball radius = rho.enclose(working_bits);
   const bool rational = rho.rational().has_value();
   const std::vector<Real> normalised = normalised_by(block, rho.estimate());
 
@@ -450,22 +451,51 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
   std::vector<RealVector> leading;
   std::vector<RealVector> dual;
   std::vector<FieldVector> primitive;
-  const auto estimate_vector = [&](const FieldVector& v) {
-    RealVector x(d);
-    for (long i = 0; i < d; ++i) x(i) = midpoint(field.enclose(v[static_cast<size_t>(i)], radius, working_bits));
-    return x;
-  };
+  long size_bits = 0;  // of the integers in the eigenvectors
   for (const auto& c : cycles) {
     FieldVector v = eigenvector(product(block, c.word), c.factor, c.kernel_vector, field,
                                 static_cast<unsigned>(c.word.size()), c.sign);
     make_primitive(v);
+    for (const auto& e : v) size_bits = std::max(size_bits, std::abs(_fmpz_vec_max_bits(e.raw()->coeffs, e.raw()->length)));
+    primitive.push_back(std::move(v));
+  }
+  // Evaluation at rho cancels as many bits as the integers (times powers of rho) are larger than the value.
+  std::vector<slong> exponents;
+  long cancelled = 0;
+  {
+    const long first = working_bits + size_bits;
+    const Ball at = rho.enclose(first);
+    const auto powers_of_rho = static_cast<long>(static_cast<double>(rho.degree()) * std::log2(std::max(1.0, rho.estimate()))) + 1;
+    for (const auto& v : primitive) {
+      slong exponent = -ARF_PREC_EXACT;
+      for (const auto& e : v)
+        exponent = std::max(exponent, arf_abs_bound_lt_2exp_si(arb_midref(field.enclose(e, at, first).raw())));
+      if (std::abs(exponent) > 100000) return {};
+      exponents.push_back(exponent);
+      if (!rational) cancelled = std::max(cancelled, size_bits + powers_of_rho - exponent);
+    }
+  }
+  const long bits = working_bits + cancelled;
+  const Ball radius = rho.enclose(bits);
+  const auto estimate_vector = [&](const FieldVector& v) {
+    RealVector x(d);
+    for (long i = 0; i < d; ++i) x(i) = midpoint(field.enclose(v[static_cast<size_t>(i)], radius, bits));
+    return x;
+  };
+  std::vector<Rational> powers;  // of two, that bring the vectors to the order of 1
+  for (size_t i = 0; i < cycles.size(); ++i) {
+    const auto& c = cycles[i];
+    powers.push_back(Rational(2).pow(-exponents[i]));
+    FieldVector v = primitive[i];
+    for (auto& e : v) fmpq_poly_scalar_mul_fmpq(e.raw(), e.raw(), powers.back().raw());
     leading.push_back(estimate_vector(v));
     Real b = Real::Identity(d, d);
     for (const int s : c.word) b = normalised[static_cast<size_t>(s)] * b;
     dual.push_back(estimate_leading_vectors(b.transpose()).front());
-    primitive.push_back(std::move(v));
+    const double paired = dual.back().dot(unit_length(leading.back()));
+    dual.back() = std::abs(paired) > 1e-12 ? RealVector(dual.back() / paired) : RealVector(RealVector::Zero(d));
+    if (!leading.back().allFinite() || !dual.back().allFinite()) return {};
   }
-  for (size_t i = 0; i < leading.size(); ++i) dual[i] /= dual[i].dot(unit_length(leading[i]));
   std::vector<double> factors(leading.size(), 1.0);
   if (leading.size() > 1) {
     std::vector<RealVector> unit;
@@ -479,16 +509,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
   std::vector<Rational> scales;
   std::vector<RealVector> roots;
   for (size_t i = 0; i < leading.size(); ++i) {
-    const double size = leading[i].cwiseAbs().maxCoeff();
-    // A power of two brings the vector to the order of 1; the balancing factor is rounded to 10 bits.
-    const int power = std::ilogb(size);
-    Rational scale = Rational(2).pow(-power);
-    if (std::abs(factors[i] - 1) > 1e-6) {
-      const double wanted = factors[i] / (size / std::ldexp(1.0, power));
-      scale *= dyadic(wanted, 20);
-    } else {
-      scale *= dyadic(std::ldexp(1.0, power) / size, 20);
-    }
+    const Rational scale = powers[i] * dyadic(factors[i] / leading[i].cwiseAbs().maxCoeff(), 20);
     FieldVector u = primitive[i];
     for (auto& c : u) fmpq_poly_scalar_mul_fmpq(c.raw(), c.raw(), scale.raw());
     scales.push_back(scale);
@@ -506,15 +527,16 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
   }
 
   const Polytope p = estimate_polytope(normalised, roots, 0, rational, options.vertices, deadline);
-  if (p.better) return {std::nullopt, p.better, {}};
+  if (p.better) return {std::nullopt, p.better, {}, 0, false};
   if (!p.closed) {
     report(options, "the polytope did not close with " + std::to_string(p.vertices.size()) + " vertices");
     return {};
   }
+  const ExactOutcome closed_only{std::nullopt, std::nullopt, {}, 0, true};
   const std::vector<size_t> inner = estimate_spanning(p.vertices, d);
   if (inner.empty()) {
     report(options, "the polytope is not full-dimensional");
-    return {};
+    return closed_only;
   }
 
   for (const auto& [parent, matrix] : p.tree) {
@@ -545,13 +567,13 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     std::vector<std::vector<Rational>> columns;
     for (const size_t i : inner) columns.push_back(x[i]);
     const auto inverse = RationalMatrix::from_columns(d, columns).inverse();
-    if (!inverse) return {};
+    if (!inverse) return closed_only;
     for (const auto& image : p.images) {
       if (image.equals) {
         if (!equal(block[image.matrix] * exact.u[image.vertex], exact.depth[image.vertex] + 1, image.equals->first,
                    image.equals->second)) {
           report(options, "an image is near a vertex and not equal to it");
-          return {};
+          return closed_only;
         }
         images.push_back(Json::object({{"equals", image.equals->first}, {"sign", image.equals->second}}));
         continue;
@@ -563,7 +585,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
         const auto on_face = exact_coordinates(x, y, image.coefficients);
         if (!on_face || !inside(x, *inverse, y, *on_face)) {
           report(options, "an inclusion could not be certified");
-          return {};
+          return closed_only;
         }
         sum = *on_face;
       }
@@ -572,14 +594,14 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
   } else {
     std::vector<std::vector<Ball>> x;
     Ball inverse_radius;
-    arb_inv(inverse_radius.raw(), radius.raw(), working_bits);
+    arb_inv(inverse_radius.raw(), radius.raw(), bits);
     const auto enclose = [&](const FieldVector& u, unsigned depth) {
       Ball factor;
-      arb_pow_ui(factor.raw(), inverse_radius.raw(), depth, working_bits);
+      arb_pow_ui(factor.raw(), inverse_radius.raw(), depth, bits);
       std::vector<Ball> v;
       for (const auto& c : u) {
-        v.push_back(field.enclose(c, radius, working_bits));
-        arb_mul(v.back().raw(), v.back().raw(), factor.raw(), working_bits);
+        v.push_back(field.enclose(c, radius, bits));
+        arb_mul(v.back().raw(), v.back().raw(), factor.raw(), bits);
       }
       return v;
     };
@@ -589,7 +611,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     for (long i = 0; i < d; ++i)
       for (long j = 0; j < d; ++j)
         arb_set(arb_mat_entry(inverse, i, j), x[inner[static_cast<size_t>(j)]][static_cast<size_t>(i)].raw());
-    bool good = arb_mat_inv(inverse, inverse, working_bits) != 0;
+    bool good = arb_mat_inv(inverse, inverse, bits) != 0;
     for (const auto& image : p.images) {
       if (!good) break;
       const FieldVector u = block[image.matrix] * exact.u[image.vertex];
@@ -603,27 +625,27 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
       const auto sum = rounded(image.coefficients);
       Ball total;
       for (const auto& [j, c] : sum) {
-        const Ball cb(c, working_bits);
-        for (size_t i = 0; i < e.size(); ++i) arb_submul(e[i].raw(), cb.raw(), x[j][i].raw(), working_bits);
-        const Ball size(abs(c), working_bits);
-        arb_add(total.raw(), total.raw(), size.raw(), working_bits);
+        const Ball cb(c, bits);
+        for (size_t i = 0; i < e.size(); ++i) arb_submul(e[i].raw(), cb.raw(), x[j][i].raw(), bits);
+        const Ball size(abs(c), bits);
+        arb_add(total.raw(), total.raw(), size.raw(), bits);
       }
       for (long i = 0; i < d; ++i) {
         Ball r;
         for (long j = 0; j < d; ++j)
-          arb_addmul(r.raw(), arb_mat_entry(inverse, i, j), e[static_cast<size_t>(j)].raw(), working_bits);
+          arb_addmul(r.raw(), arb_mat_entry(inverse, i, j), e[static_cast<size_t>(j)].raw(), bits);
         arb_abs(r.raw(), r.raw());
-        arb_add(total.raw(), total.raw(), r.raw(), working_bits);
+        arb_add(total.raw(), total.raw(), r.raw(), bits);
       }
-      Ball slack(Rational(1), working_bits);
-      arb_sub(slack.raw(), slack.raw(), total.raw(), working_bits);
+      Ball slack(Rational(1), bits);
+      arb_sub(slack.raw(), slack.raw(), total.raw(), bits);
       good = slack.is_positive();
       images.push_back(sum_json(sum));
     }
     arb_mat_clear(inverse);
     if (!good) {
       report(options, "an inclusion could not be certified");
-      return {};
+      return closed_only;
     }
   }
   Json root_list = Json::array();
@@ -640,7 +662,7 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     shape.words.emplace_back();
     shape.signs.push_back(1);
   }
-  return {block_json(d, "", root_list, p.tree, inner, images), std::nullopt, std::move(shape)};
+  return {block_json(d, "", root_list, p.tree, inner, images), std::nullopt, std::move(shape), cancelled, true};
 }
 
 // The real leading eigenvalues of the product with independent eigenvectors; empty if a complex pair leads.
@@ -691,13 +713,13 @@ Json basis_json(const BlockForm& form) {
   return rows;
 }
 
-Json radius_json(const RealAlgebraic& rho) {
+Json radius_json(const RealAlgebraic& rho, long cancelled) {
   RealAlgebraic fine = rho;
   fine.refine(Rational(1, 1L << 40));
   Json j;
   j["polynomial"] = fine.polynomial().to_string();
   j["interval"] = rationals_json({fine.lower(), fine.upper()});
-  j["bits"] = fine.degree() == 1 ? 0 : 160;
+  j["bits"] = fine.degree() == 1 ? 0 : std::min(4096L, 160 + cancelled);
   return j;
 }
 
@@ -736,6 +758,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
   for (size_t b = 0; b < form.blocks.size(); ++b)
     if (b != found.top) order.push_back(b);
   size_t attained = 0;
+  long cancelled = 0;
   for (const size_t b : order) {
     const Family& block = form.blocks[b];
     const auto d = form.sizes[b];
@@ -777,7 +800,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
         JsrOptions with = options;
         with.extra = extra;
         outcome = prove_block_exact(block, exact, exact.front().radius, with, Deadline(0.4 * deadline.left()));
-        if (outcome.block || outcome.better) break;
+        if (outcome.block || outcome.better || !outcome.closed) break;
       }
       if (outcome.block) {
         rho = exact.front().radius;
@@ -785,6 +808,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
           if (std::find(result.cycles.begin(), result.cycles.end(), c.word) == result.cycles.end())
             result.cycles.push_back(c.word);
         blocks[b] = *outcome.block;
+        cancelled = std::max(cancelled, outcome.cancelled);
         if (form.blocks.size() == 1) result.shape = std::move(outcome.shape);
         done = true;
         ++attained;
@@ -814,7 +838,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
   result.bounded = attained == 1;
   result.method = "invariant polytope";
   Json claim = head("jsr-exact", subject);
-  claim["radius"] = radius_json(*rho);
+  claim["radius"] = radius_json(*rho, cancelled);
   claim["basis"] = basis_json(form);
   claim["blocks"] = blocks;
   claim["theorem"] = "invariant-polytope";
@@ -962,7 +986,7 @@ JsrResult joint_spectral_radius(const Family& family, const JsrSubject& subject,
     zero.exact = RealAlgebraic(Rational(0));
     zero.method = "nilpotent";
     Json claim = head("jsr-exact", subject);
-    claim["radius"] = radius_json(*zero.exact);
+    claim["radius"] = radius_json(*zero.exact, 0);
     claim["basis"] = basis_json(form);
     claim["blocks"] = Json::array();
     for (const auto& block : form.blocks) claim["blocks"].push_back(zero_block(block, 0));

@@ -414,7 +414,10 @@ TEST(Family, ClosedForms) {
   malformed(large(), "lowest terms", [](Closed& c) { c.phi = {"u^2", "u"}; });
   malformed(large(), "is 0", [](Closed& c) { c.phi = {"u", "0"}; });
   malformed(large(), "", [](Closed& c) { c.phi = {"w", "1"}; });
-  malformed(large(), "at least one", [](Closed& c) { c.roots[0] = root({}, 1, "1", {"-3*u+1", "u"}); });
+  malformed(large(), "without a word", [](Closed& c) { c.roots[0] = root({}, -1, "1", {"-3*u+1", "u"}); });
+  invalid(large(), "no eigenvector of a product", [](Closed& c) {
+    c.roots = {root({}, 1, "1", {"-3*u+1", "u"}), root({}, 1, "1", {"-u", "3*u-1"})};
+  });
   malformed(large(), "positive", [](Closed& c) { c.roots[0] = root({0}, -1, "-1", {"-3*u+1", "u"}); });
   malformed(large(), "2 are expected", [](Closed& c) { c.roots[0] = root({0}, -1, "1", {"1"}); });
   malformed(large(), "twice", [](Closed& c) { c.tree = {{0, 1}, {0, 1}}; });

@@ -315,7 +315,7 @@ class Over(RegularityTest):
     INTERVAL = {"from", "to", "from_included", "to_included"}
 
     def test_the_document(self):
-        d = self.twoscale_json("regularity", FOUR, "--over", "w=[1/100,1/20]")
+        d = self.certified(FOUR, "--over", "w=[1/100,1/20]")
         self.assertLessEqual({"format", "version", "scheme", "arity", "over", "sum_rules", "radius", "continuity",
                               "samples", "certificate"}, set(d))
         self.assertEqual(d["over"], {"name": "w", "interval": ["1/100", "1/20"]})
@@ -331,20 +331,38 @@ class Over(RegularityTest):
                 self.assertEqual(set(i), self.INTERVAL)
         self.assertEqual([(c["l"], [(i["from"], i["to"]) for i in c["proved"]], c["refuted"]) for c in d["continuity"]],
                          [(0, [("1/100", "1/20")], []), (1, [("1/100", "1/20")], [])])
-        self.assertEqual(d["samples"][0]["w"], "1/100")
-        self.assertEqual(d["samples"][-1]["w"], "1/20")
+        self.assertEqual(d["samples"][0]["value"], "1/100")
+        self.assertEqual(d["samples"][-1]["value"], "1/20")
         import sympy
         w, x = sympy.symbols("w x")
         radius, polynomial = to_sympy(r["exact"]), to_sympy(r["polynomial"])
         for s in d["samples"]:
-            self.assertEqual(set(s), {"w", "sum_rules", "continuity", "hoelder"})
+            self.assertEqual(set(s), {"value", "sum_rules", "continuity", "hoelder"})
             self.expect_exponent(s["hoelder"])
-            value = radius.subs(w, to_sympy(s["w"]))
-            self.assertEqual(sympy.simplify(polynomial.subs({w: to_sympy(s["w"]), x: value})), 0)
+            value = radius.subs(w, to_sympy(s["value"]))
+            self.assertEqual(sympy.simplify(polynomial.subs({w: to_sympy(s["value"]), x: value})), 0)
             self.assertLess(abs(Fraction(s["hoelder"]["lower"]) - Fraction(str((2 - sympy.log(value, 2)).evalf(20)))),
                             Fraction(1, 10 ** 10))
             self.assertEqual(d["samples"][-1]["hoelder"],
                              self.twoscale_json("regularity", FOUR, "--at", "w=1/20")["hoelder"])
+
+    def test_the_theorem_of_the_quasi_splines(self):
+        """jeong2013, Theorem 3.1: the joint spectral radius in closed form on each range, and C^l from it."""
+        mask = 'mask:coefficients="w/8,(1+2*w)/8,(4-w)/8,(3-2*w)/4,(4-w)/8,(1+2*w)/8,w/8",lowest=-3'
+        d = self.certified(mask, "--over", "w=[-4,5]")
+        import sympy
+        w = sympy.Symbol("w", positive=True)
+        expected = [("-4", "1/4", 2 - 4 * w), ("1/4", "1/2", w + sympy.sqrt(w * (4 - 7 * w))), ("1/2", "1", 2 * w),
+                    ("1", "5", 4 * w - 2)]
+        self.assertEqual([(r["from"], r["to"]) for r in d["radius"]], [e[:2] for e in expected])
+        for r, (low, high, value) in zip(d["radius"], expected):
+            exact = to_sympy(r["exact"]).subs(sympy.Symbol("w"), w)
+            for at in (sympy.Rational(low), sympy.Rational(high), (sympy.Rational(low) + sympy.Rational(high)) / 2):
+                self.assertEqual(sympy.simplify((exact - value).subs(w, at)), 0)
+        ends = [("-7/2", "9/2"), ("-3/2", "5/2"), ("-1/2", "3/2"), ("0", "1")]
+        self.assertEqual([[(i["from"], i["to"], i["from_included"], i["to_included"]) for i in c["proved"]]
+                          for c in d["continuity"]], [[(*e, False, False)] for e in ends])
+        self.assertEqual((d["exceptional"]["value"], d["exceptional"]["continuity"]), ("1/4", 4))
 
     def test_text(self):
         text = self.twoscale("regularity", FOUR, "--over", "w = [1/100, 0.05]")
