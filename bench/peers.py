@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a user would run instead, timed beside our own benchmarks: SymPy, PARI/GP, mpmath, SciPy, NumPy.
 
-    peers.py TWOSCALE RESULTS OUT [--full]
+    peers.py TWOSCALE RESULTS OUT [--full] [--only PART]
 
 RESULTS holds the JSON files of the C++ benchmarks (from scripts/bench); the peers get the same spaces, the folded
-system that `twoscale derive --format json` prints, and the masks of `twoscale table`. Prints one table and writes OUT.
+system that `twoscale derive --format json` prints, the masks of `twoscale table`, and the matrices of an exponent (from
+regularity.json). Prints one table, another one of exponents, and writes OUT.
 All times are CPU seconds of one thread, medians, unless they say "wall clock"; "SymPy linsolve" is a first call.
 Reading the input, building matrices and importing modules are not counted.
 """
@@ -22,12 +23,15 @@ import statistics
 import subprocess
 import sys
 import time
+from fractions import Fraction
 from pathlib import Path
 
 import mpmath
 import numpy
 import scipy.signal
 import sympy
+
+import regularity_peer
 
 FAMILIES = ("mixed", "harmonic", "resonant")
 OTHERS = ("lacunary", "multiplicities", "two-frequencies")
@@ -143,6 +147,20 @@ def numpy_refine(points, masks):
     return points
 
 
+# Exponents.
+
+def plain_polytope(label, radius):
+    """CPU seconds with the search for candidates and without it; "open" if a polytope of the radius does not close."""
+    blocks = [[numpy.array([[float(Fraction(x)) for x in row] for row in matrix]) for matrix in block]
+              for block in json.loads(label)]
+    found = regularity_peer.search(blocks)
+    result = regularity_peer.joint_spectral_radius(blocks, found)
+    if result is None or not math.isclose(result[0], radius, rel_tol=1e-6):
+        return "open" if result is None else f"{result[0]:.6g}?"
+    given = measure(lambda: regularity_peer.joint_spectral_radius(blocks, found))
+    return measure(lambda: regularity_peer.search(blocks)) + given, given
+
+
 # One run.
 
 class Run:
@@ -154,7 +172,8 @@ class Run:
             for b in json.loads(path.read_text())["benchmarks"]:
                 if b.get("aggregate_name", "median") == "median":
                     scale = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[b["time_unit"]]
-                    self.ours[b["run_name"]] = {"seconds": b["cpu_time"] * scale, "label": b.get("label", "")}
+                    self.ours[b["run_name"]] = {"seconds": b["cpu_time"] * scale, "label": b.get("label", ""),
+                                                "radius": b.get("radius")}
         self.rows = []
 
     def json(self, *arguments):
@@ -251,11 +270,58 @@ class Run:
                 self.compare("refine 10^4 points, 8 levels", f"D={dim}", f"refine/harmonic/D:{dim}",
                              "writing the output only", bound["seconds"])
 
+    def exponents(self):
+        """A table of its own: the routes to an exponent, their certificates checked, the plain polytope beside ours."""
+        members = {}  # set -> member -> what was measured
+        for name, value in self.ours.items():
+            checked, route, family, member = re.fullmatch(
+                r"(check/|)(?:(regularity|polytope|jsr|enclosure)/([^/]*)/?(.*)|.*)", name).groups()
+            if route:
+                of = {"jsr": "polytope", "enclosure": "regularity"}.get(route, route)
+                family = f"{route} {family}" if of != route else family
+                entry = members.setdefault(family, {}).setdefault(member, {})
+                entry[f"{of}, checked" if checked else of] = value["seconds"]
+                if of == "polytope" and not checked:
+                    entry["open"] = value["label"] == "open"
+                    if not entry["open"]:
+                        theirs = within(self.limit, plain_polytope, value["label"], value["radius"])
+                        if isinstance(theirs, tuple):
+                            entry["plain"], entry["word given"] = theirs
+                        else:
+                            entry["failed"] = theirs or f"> {self.limit} s"
+        columns = ("regularity", "regularity, checked", "polytope", "polytope, checked", "plain", "word given")
+        heads = ("exponent", "checked", "polytope", "checked", "plain", "given", "plain/polytope")
+        print(f"\n{'exponents':<24} {'':>18} " + " ".join(f"{h:>9}" for h in heads))
+
+        def line(family, at, entries):
+            shown = []
+            for column in columns:
+                values = [e[column] for e in entries if e.get(column) is not None]
+                shown.append(seconds(statistics.median(values)) if values else "")
+            ratios = [e["plain"] / e["polytope"] for e in entries if e.get("plain") is not None]
+            shown.append(f"{statistics.median(ratios):.1f}" if ratios else
+                         "ours open" if all(e.get("open") for e in entries) else "")
+            failed = [e["failed"] for e in entries if e.get("failed")]
+            if failed:
+                shown[4] = shown[4] or failed[0]
+            print(f"{family:<24} {at:>18} " + " ".join(f"{s:>9}" for s in shown), flush=True)
+
+        for family, of in members.items():
+            if len(of) == 1 or any(":" in member for member in of):
+                for member, entry in of.items():
+                    line(family, member.replace(":", "="), [entry])
+            else:
+                line(family, f"median of {len(of)}", list(of.values()))
+                for member, entry in of.items():
+                    if max(entry.get("regularity", 0), entry.get("polytope", 0)) > 0.1:
+                        line(family, member, [entry])
+        return members
+
     def growth(self):
-        """Exponents of growth in l: least squares through (log l, log seconds), l = 4.. and l = 8.. ."""
+        """Exponents of growth in l, or n: least squares through (log l, log seconds), l = 4.. and l = 8.. ."""
         series = {}
         for name, value in self.ours.items():
-            found = re.fullmatch(r"(.*)/l:(\d+)", name)
+            found = re.fullmatch(r"(.*)/[ln]:(\d+)", name)
             if found:
                 series.setdefault(found[1], []).append((int(found[2]), value["seconds"]))
         for row in self.rows:
@@ -297,14 +363,18 @@ def main():
     parser.add_argument("results")
     parser.add_argument("out")
     parser.add_argument("--full", action="store_true", help="600 instead of 60 seconds for a case")
-    run = Run(parser.parse_args())
+    parser.add_argument("--only", help="one part: derive, process, prove, table, refine or regularity")
+    arguments = parser.parse_args()
+    run = Run(arguments)
     print(machine() + "\n")
     print(f"{'job':<32} {'':>16} {'ours':>9}  {'peer':<22} {'theirs':>9} {'ratio':>10}")
     for part in (run.derive, run.process, run.prove, run.table, run.refine):
-        part()
-    document = {"format": "twoscale/bench", "machine": machine(), "rows": run.rows, "growth": run.growth(),
-                "benchmarks": run.ours}
-    Path(sys.argv[3]).write_text(json.dumps(document, indent=1) + "\n")
+        if arguments.only in (None, part.__name__):
+            part()
+    exponents = run.exponents() if arguments.only in (None, "regularity") else {}
+    document = {"format": "twoscale/bench", "machine": machine(), "rows": run.rows, "exponents": exponents,
+                "growth": run.growth(), "benchmarks": run.ours}
+    Path(arguments.out).write_text(json.dumps(document, indent=1) + "\n")
 
 
 if __name__ == "__main__":
