@@ -252,8 +252,9 @@ Picture regularity(const Scheme& scheme, const Options& o) {
     ++orders[samples.back().second.order];
   }
   // Single values with more sum rules are points of their own.
-  const long usual =
-      std::max_element(orders.begin(), orders.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  const long usual = std::max_element(orders.begin(), orders.end(), [](const auto& a, const auto& b) {
+                       return a.second < b.second;
+                     })->first;
   Line hoelder, sobolev, exceptional;
   hoelder.title = "Hölder exponent";
   sobolev.title = "Sobolev exponent";
@@ -308,15 +309,16 @@ reports::ImageFormat format_of(const Common& common) {
 
 void add_plot_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();
-  CLI::App* c =
-      add_command(app, session, "plot", "draw basic limit functions, curves, tension sweeps, curvature, spectra, exponents",
-                  {"svg", "pdf", "png"});
+  CLI::App* c = add_command(app, session, "plot",
+                            "draw basic limit functions, curves, tension sweeps, curvature, spectra, exponents",
+                            {"svg", "pdf", "png"});
   c->add_option("kind", o->kind, "basic, curve, sweep, comb, curvature, spectrum or regularity")
       ->required()
       ->type_name("KIND")
       ->check(CLI::IsMember({"basic", "curve", "sweep", "comb", "curvature", "spectrum", "regularity"}));
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
-  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input; not for basic, spectrum, regularity")
+  c->add_option("in", o->input,
+                "points (csv, npy, obj), - for csv from standard input; not for basic, spectrum, regularity")
       ->type_name("IN");
   add_values(c, o->at);
   c->add_option("--values", o->values, "sweep: values of v0, \"v1,v2,...\"")->type_name("LIST");

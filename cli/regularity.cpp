@@ -2,8 +2,8 @@
 // twoscale regularity: exact or enclosed exponents of a scheme, or the joint spectral radius of given matrices.
 #include "regularity.hpp"
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <sstream>
@@ -189,7 +189,8 @@ std::string regularity_text(const Scheme& s, const Regularity& r, const std::str
   }
   std::string remainder;
   for (const auto& c : r.c) remainder += " " + c.to_string();
-  out << "remainder   c =" << (remainder.size() <= 300 ? remainder : " " + std::to_string(r.c.size()) + " coefficients") << "\n";
+  out << "remainder   c =" << (remainder.size() <= 300 ? remainder : " " + std::to_string(r.c.size()) + " coefficients")
+      << "\n";
   out << "matrices    " << r.matrices.size() << " of size " << r.matrices[0].rows();
   if (r.blocks.size() == 1) out << ", no common invariant subspace found";
   if (r.blocks.size() > 1) out << ", block triangular with blocks of sizes";
@@ -203,7 +204,8 @@ std::string regularity_text(const Scheme& s, const Regularity& r, const std::str
     const bool integer = r.hoelder.rational && r.hoelder.rational->is_integer();
     if (integer) {
       const std::string k = std::to_string(r.hoelder.rational->to_long() - 1);
-      out << (*r.attained ? "; attained: derivative " + k + " is Lipschitz" : "; not attained: derivative " + k + " is not Lipschitz");
+      out << (*r.attained ? "; attained: derivative " + k + " is Lipschitz"
+                          : "; not attained: derivative " + k + " is not Lipschitz");
     } else {
       out << (*r.attained ? "; attained" : "; not attained");
     }
@@ -213,11 +215,13 @@ std::string regularity_text(const Scheme& s, const Regularity& r, const std::str
   out << "continuity  " << (r.continuity < 0 ? "not proved to be C^0" : "C^" + std::to_string(r.continuity)) << "\n";
   if (r.level_dependent) {
     if (r.transferred)
-      out << "all levels  the scheme generates {" << r.generated << "}, as many functions as the limit has sum rules: the\n"
+      out << "all levels  the scheme generates {" << r.generated
+          << "}, as many functions as the limit has sum rules: the\n"
           << "            exponent and C^l above hold for the scheme itself, for every v^0 without a singular step"
           << (r.stability.stable ? ";\n            no larger exponent holds from every starting level" : "") << "\n";
     else
-      out << "all levels  not transferred: the scheme is not known to generate " << r.order << " exponential polynomials\n";
+      out << "all levels  not transferred: the scheme is not known to generate " << r.order
+          << " exponential polynomials\n";
     if (!r.excluded.empty()) {
       out << "excluded   ";
       for (const auto& e : r.excluded) out << " " << e << ";";
@@ -347,8 +351,9 @@ int run_matrices(const Session& session, const Options& o) {
     j["certificate"] = o.certificate.empty() ? Json(nullptr) : Json(o.certificate);
     deliver(session.common, j.dump(1), o.certificate, certificate);
   } else {
-    deliver(session.common, std::to_string(family.size()) + " matrices of size " + std::to_string(family[0].rows()) +
-                                "\nradius      " + jsr_text(r) + "\n",
+    deliver(session.common,
+            std::to_string(family.size()) + " matrices of size " + std::to_string(family[0].rows()) + "\nradius      " +
+                jsr_text(r) + "\n",
             o.certificate, certificate);
   }
   return 0;
@@ -360,8 +365,9 @@ int run_scheme(const Session& session, const Options& o) {
   options.jsr = search_options(session, o);
   const Regularity r = analysis::regularity(scheme, options);
   const std::string certificate = r.certificate.empty() ? "" : o.certificate;
-  deliver(session.common, session.common.format == "json" ? regularity_json(scheme, r, certificate)
-                                                          : regularity_text(scheme, r, certificate),
+  deliver(session.common,
+          session.common.format == "json" ? regularity_json(scheme, r, certificate)
+                                          : regularity_text(scheme, r, certificate),
           certificate, r.certificate);
   return 0;
 }
@@ -378,8 +384,8 @@ Json interval_json(const analysis::ParameterInterval& i) {
 std::string interval_text(const analysis::ParameterInterval& i) {
   const auto end = [](const RealAlgebraic& r) {
     return r.rational() && r.rational()->to_string().size() < 12 ? r.rational()->to_string()
-           : r.expression() && !r.rational()                       ? *r.expression() + " = " + decimal(r.lower())
-                                                                   : decimal(r.lower());
+           : r.expression() && !r.rational()                     ? *r.expression() + " = " + decimal(r.lower())
+                                                                 : decimal(r.lower());
   };
   return (i.from_included ? "[" : "(") + end(i.from) + ", " + end(i.to) + (i.to_included ? "]" : ")");
 }
@@ -445,10 +451,11 @@ std::string over_text(const Scheme& s, const analysis::ParameterRange& r, const 
       for (const auto& i : intervals) text += (text.empty() ? "" : " and ") + interval_text(i);
       return text;
     };
-    out << name << "         " << (c.proved.empty() ? "nowhere proved" : "proved for " + r.name + " in " + list(c.proved)) << "\n";
+    out << name << "         "
+        << (c.proved.empty() ? "nowhere proved" : "proved for " + r.name + " in " + list(c.proved)) << "\n";
     if (!c.refuted.empty())
-      out << "            rho >= " << s.arity << "^" << r.order - c.l << ", so not " << name << " where the integer shifts are stable: "
-          << list(c.refuted) << "\n";
+      out << "            rho >= " << s.arity << "^" << r.order - c.l << ", so not " << name
+          << " where the integer shifts are stable: " << list(c.refuted) << "\n";
     if (c.joint)
       out << "            any " << r.name << " at each level from " << interval_text(*c.joint) << ": " << name << "\n";
   }
@@ -457,8 +464,8 @@ std::string over_text(const Scheme& s, const analysis::ParameterRange& r, const 
         << r.exceptional->second.order << ", C^" << r.exceptional->second.continuity << ", Hölder "
         << exponent_text(r.exceptional->second.hoelder) << "\n";
   for (const auto& [w, x] : r.samples)
-    out << "sample      " << r.name << " = " << w.to_string() << ": C^" << x.continuity << ", Hölder " << exponent_text(x.hoelder)
-        << "\n";
+    out << "sample      " << r.name << " = " << w.to_string() << ": C^" << x.continuity << ", Hölder "
+        << exponent_text(x.hoelder) << "\n";
   if (!certificate.empty()) out << "certificate " << certificate << "\n";
   return out.str();
 }
@@ -471,8 +478,8 @@ int run_over(const Session& session, const Options& o) {
   options.threads = options.regularity.jsr.threads;
   const analysis::ParameterRange r = analysis::parameter_range(scheme, over.name, over.from, over.to, options);
   const std::string certificate = r.certificate.empty() ? "" : o.certificate;
-  deliver(session.common, session.common.format == "json" ? over_json(scheme, r, certificate)
-                                                          : over_text(scheme, r, certificate),
+  deliver(session.common,
+          session.common.format == "json" ? over_json(scheme, r, certificate) : over_text(scheme, r, certificate),
           certificate, r.certificate);
   return 0;
 }

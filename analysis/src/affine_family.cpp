@@ -59,9 +59,7 @@ AffineFamily::AffineFamily(const Scheme& scheme, std::string name) : name_(std::
   }
 }
 
-bool AffineFamily::symmetric() const {
-  return c_.size() % 2 == 1 && std::equal(c_.begin(), c_.end(), c_.rbegin());
-}
+bool AffineFamily::symmetric() const { return c_.size() % 2 == 1 && std::equal(c_.begin(), c_.end(), c_.rbegin()); }
 
 std::optional<Rational> AffineFamily::exceptional() const {
   std::vector<Polynomial> sums(static_cast<size_t>(arity_));

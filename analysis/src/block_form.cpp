@@ -92,8 +92,7 @@ std::vector<Vector> invariant_subspace(const Family& family) {
       const RationalMatrix cokernel = value.transposed().kernel();
       const std::vector<Vector> covectors = spin(dual, column(cokernel, 0));
       if (static_cast<long>(covectors.size()) < n) {
-        const RationalMatrix annihilated =
-            RationalMatrix::from_columns(n, covectors).transposed().kernel();
+        const RationalMatrix annihilated = RationalMatrix::from_columns(n, covectors).transposed().kernel();
         std::vector<Vector> basis;
         for (long j = 0; j < annihilated.columns(); ++j) basis.push_back(column(annihilated, j));
         return basis;

@@ -48,9 +48,7 @@ Rational dyadic(double x, int bits = 40) {
 }
 
 // A rational just below (direction -1) or above a double that is an enclosure's end.
-Rational outward(double x, int direction) {
-  return dyadic(x * (1 + direction * 1e-13), 60);
-}
+Rational outward(double x, int direction) { return dyadic(x * (1 + direction * 1e-13), 60); }
 
 Rational ball_lower(const Ball& b) {
   arf_t x;
@@ -94,9 +92,9 @@ struct Polytope {
   std::optional<Word> better;  // a product that contradicts the normalisation
 };
 
-// Follows the images of the roots under `normalised` until all are inside. With inflation > 0 every new vertex is pushed
-// outward by that factor and rounded to multiples of 2^-40. `faces`: images on the boundary count as inside, to be
-// proved exactly.
+// Follows the images of the roots under `normalised` until all are inside. With inflation > 0 every new vertex is
+// pushed outward by that factor and rounded to multiples of 2^-40. `faces`: images on the boundary count as inside, to
+// be proved exactly.
 Polytope estimate_polytope(const std::vector<Real>& normalised, std::vector<RealVector> roots, double inflation,
                            bool faces, size_t most, const Deadline& deadline) {
   const long d = normalised[0].rows();
@@ -199,15 +197,15 @@ std::vector<std::pair<size_t, Rational>> rounded(const std::vector<std::pair<siz
 // ---- Exact verification
 
 // Rational points: y = sum c_j x_j + X_inner d, sum |c| + sum |d| <= 1.
-bool inside(const std::vector<std::vector<Rational>>& x, const RationalMatrix& inverse,
-            const std::vector<Rational>& y, const std::vector<std::pair<size_t, Rational>>& sum) {
+bool inside(const std::vector<std::vector<Rational>>& x, const RationalMatrix& inverse, const std::vector<Rational>& y,
+            const std::vector<std::pair<size_t, Rational>>& sum) {
   std::vector<Rational> e = y;
   Rational total;
   for (const auto& [j, c] : sum) {
     total += abs(c);
     for (size_t i = 0; i < e.size(); ++i) e[i] -= c * x[j][i];
   }
-  for (const auto& r : inverse * e) total += abs(r);
+  for (const auto& r : inverse* e) total += abs(r);
   return total <= Rational(1);
 }
 
@@ -223,7 +221,8 @@ std::optional<std::vector<std::pair<size_t, Rational>>> exact_coordinates(
   if (kernel.columns() != 1 || kernel(n, 0).is_zero()) return std::nullopt;
   std::vector<std::pair<size_t, Rational>> sum;
   for (long i = 0; i < n; ++i)
-    if (Rational c = -kernel(i, 0) / kernel(n, 0); !c.is_zero()) sum.emplace_back(support[static_cast<size_t>(i)].first, c);
+    if (Rational c = -kernel(i, 0) / kernel(n, 0); !c.is_zero())
+      sum.emplace_back(support[static_cast<size_t>(i)].first, c);
   return sum;
 }
 
@@ -355,7 +354,7 @@ struct ExactCycle {
   RealAlgebraic radius;  // rho(B_w)^{1/|w|}
   int sign;              // of the leading eigenvalue
   RationalMatrix kernel_vector;
-  Polynomial factor;     // the minimal polynomial of the eigenvalue
+  Polynomial factor;  // the minimal polynomial of the eigenvalue
 };
 
 // (p(x)/(x - lambda))(P) w for w in the kernel of p(P): an eigenvector, entries in Q[lambda].
@@ -421,7 +420,7 @@ struct ExactOutcome {
   std::optional<Json> block;
   std::optional<Word> better;
   PolytopeShape shape;
-  long cancelled = 0;  // bits that the evaluation of the vectors loses: the checker needs as many more
+  long cancelled = 0;   // bits that the evaluation of the vectors loses: the checker needs as many more
   bool closed = false;  // the orbit ended; short unit vectors may still be needed to span
 };
 
@@ -456,7 +455,8 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
     FieldVector v = eigenvector(product(block, c.word), c.factor, c.kernel_vector, field,
                                 static_cast<unsigned>(c.word.size()), c.sign);
     make_primitive(v);
-    for (const auto& e : v) size_bits = std::max(size_bits, std::abs(_fmpz_vec_max_bits(e.raw()->coeffs, e.raw()->length)));
+    for (const auto& e : v)
+      size_bits = std::max(size_bits, std::abs(_fmpz_vec_max_bits(e.raw()->coeffs, e.raw()->length)));
     primitive.push_back(std::move(v));
   }
   // Evaluation at rho cancels as many bits as the integers (times powers of rho) are larger than the value.
@@ -465,7 +465,8 @@ ExactOutcome prove_block_exact(const Family& block, const std::vector<ExactCycle
   {
     const long first = working_bits + size_bits;
     const Ball at = rho.enclose(first);
-    const auto powers_of_rho = static_cast<long>(static_cast<double>(rho.degree()) * std::log2(std::max(1.0, rho.estimate()))) + 1;
+    const auto powers_of_rho =
+        static_cast<long>(static_cast<double>(rho.degree()) * std::log2(std::max(1.0, rho.estimate()))) + 1;
     for (const auto& v : primitive) {
       slong exponent = -ARF_PREC_EXACT;
       for (const auto& e : v)
@@ -734,9 +735,9 @@ Searched estimate_blocks(const BlockForm& form) {
   for (size_t b = 0; b < form.blocks.size(); ++b) {
     std::vector<Real> family;
     for (const auto& m : form.blocks[b]) family.push_back(estimate_matrix(m));
-    const double size = std::max(1e-300, std::accumulate(family.begin(), family.end(), 0.0, [](double s, const Real& m) {
-                                   return std::max(s, m.norm());
-                                 }));
+    const double size =
+        std::max(1e-300, std::accumulate(family.begin(), family.end(), 0.0,
+                                         [](double s, const Real& m) { return std::max(s, m.norm()); }));
     for (auto& m : family) m /= size;
     CycleSearch c = estimate_cycles(family, form.sizes[b] == 1 ? 1 : 12, 400);
     c.radius *= size;
@@ -856,7 +857,8 @@ std::optional<Json> prove_upper(const BlockForm& form, const Searched& found, co
     }
     const double slack = fmpq_get_d(bound.raw()) / std::max(found.cycles[b].radius, 1e-300) - 1;
     if (slack <= 0) return std::nullopt;
-    auto block = prove_block_upper(form.blocks[b], bound, found.cycles[b], std::min(0.05, slack / 8), options, deadline);
+    auto block =
+        prove_block_upper(form.blocks[b], bound, found.cycles[b], std::min(0.05, slack / 8), options, deadline);
     if (!block) return std::nullopt;
     blocks.push_back(std::move(*block));
   }
@@ -937,7 +939,8 @@ JsrResult enclosed(const Family& family, const BlockForm& form, const Searched& 
   const auto batch_size = static_cast<size_t>(std::max(1, options.threads));
   for (size_t i = 0; i < margins.size() && !deadline.passed(); i += batch_size) {
     const auto last = std::min(margins.size(), i + batch_size);
-    if (!run({margins.begin() + static_cast<long>(i), margins.begin() + static_cast<long>(last)}, 0.6 * deadline.left()))
+    if (!run({margins.begin() + static_cast<long>(i), margins.begin() + static_cast<long>(last)},
+             0.6 * deadline.left()))
       break;
   }
   for (double margin = 0.1; !best && margin < 1e8; margin *= margin < 1 ? 3 : 10) run({margin}, 2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jsr_search.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <glpk.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>

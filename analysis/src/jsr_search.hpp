@@ -18,8 +18,8 @@ Real estimate_matrix(const RationalMatrix& a);
 double estimate_spectral_radius(const Real& a);
 
 // Words with the largest rho(B_w)^{1/|w|} met, best first; primitive, one of each class of rotations; all within a
-// relative 1e-9 of the best. A breadth-first search whose nodes are pruned by norms (Gripenberg), at most `nodes` kept a
-// length ("modified Gripenberg", Mejstrik 2020: the larger and some of the smaller norms).
+// relative 1e-9 of the best. A breadth-first search whose nodes are pruned by norms (Gripenberg), at most `nodes` kept
+// a length ("modified Gripenberg", Mejstrik 2020: the larger and some of the smaller norms).
 struct CycleSearch {
   double radius = 0;
   std::vector<Word> words;

@@ -251,9 +251,7 @@ RationalFunction determinant(const SymbolicMatrix& a) {
   return r;
 }
 
-std::size_t rank(const Matrix<Rational>& a) {
-  return static_cast<std::size_t>(flint(a).rank());
-}
+std::size_t rank(const Matrix<Rational>& a) { return static_cast<std::size_t>(flint(a).rank()); }
 
 std::size_t rank(const SymbolicMatrix& a) {
   PolynomialMatrix m = primitive_rows(a);

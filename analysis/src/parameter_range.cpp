@@ -23,7 +23,8 @@ Rational middle(const Rational& a, const Rational& b) { return (a + b) / Rationa
 bool less(const RealAlgebraic& a, const RealAlgebraic& b) { return RealAlgebraic::compare(a, b) < 0; }
 
 // Zeros of p inside (a, b), appended.
-void zeros_inside(const Polynomial& p, const RealAlgebraic& a, const RealAlgebraic& b, std::vector<RealAlgebraic>& list) {
+void zeros_inside(const Polynomial& p, const RealAlgebraic& a, const RealAlgebraic& b,
+                  std::vector<RealAlgebraic>& list) {
   if (p.is_zero() || p.is_constant()) return;
   for (auto& zero : RealAlgebraic::zeros(p))
     if (less(a, zero) && less(zero, b)) list.push_back(zero);
@@ -100,8 +101,10 @@ RealAlgebraic central_at(const AffineFamily& family, const Rational& w) {
   return central_radius(*symmetric_half(family.remainder_at(w).c), family.arity()).radius;
 }
 
-// rho(w) on the non-negative range: which factor of the central matrix' characteristic polynomial, and where it changes.
-std::vector<RadiusRange> central_ranges(const AffineFamily& family, const RealAlgebraic& from, const RealAlgebraic& to) {
+// rho(w) on the non-negative range: which factor of the central matrix' characteristic polynomial, and where it
+// changes.
+std::vector<RadiusRange> central_ranges(const AffineFamily& family, const RealAlgebraic& from,
+                                        const RealAlgebraic& to) {
   const Polynomial chi = family.central_characteristic_polynomial();  // in x and w
   std::vector<Polynomial> factors;
   for (const auto& [factor, exponent] : chi.factor().factors)
@@ -135,7 +138,8 @@ std::vector<RadiusRange> central_ranges(const AffineFamily& family, const RealAl
 }
 
 // C^l or not where rho(w) is known to be a zero of F(w, x), exactly: rho(w) - tau keeps its sign between the zeros of
-// F(w, tau). At such a zero next to rho < tau it is rho = tau, because rho is continuous and no real zero of F is larger.
+// F(w, tau). At such a zero next to rho < tau it is rho = tau, because rho is continuous and no real zero of F is
+// larger.
 void exact_continuity(const AffineFamily& family, const RadiusRange& range, long l, ContinuityRange& result,
                       std::vector<Json>& claims) {
   const Rational tau = Rational(family.arity()).pow(family.order() - l);
@@ -144,7 +148,8 @@ void exact_continuity(const AffineFamily& family, const RadiusRange& range, long
   zeros_inside(level, range.interval.from, range.interval.to, cuts);
   sort_distinct(cuts);
   const auto reaches = [&](const RealAlgebraic& w) {
-    return level.is_zero() || Polynomial::quotient(level, w.polynomial().substitute("x", Polynomial::variable(family.name())));
+    return level.is_zero() ||
+           Polynomial::quotient(level, w.polynomial().substitute("x", Polynomial::variable(family.name())));
   };
   const bool central = range.method == "nonnegative symbol";
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -200,10 +205,7 @@ struct Cell {
 class CellProver {
  public:
   CellProver(const AffineFamily& family, const ParameterOptions& options, Rational resolution)
-      : family_(family),
-        options_(options),
-        resolution_(std::move(resolution)),
-        deadline_(0) {
+      : family_(family), options_(options), resolution_(std::move(resolution)), deadline_(0) {
     options_.regularity.jsr.progress = nullptr;
     options_.regularity.jsr.threads = 1;
     // Many small problems: each is given up early, a shorter interval is easier.

@@ -2,10 +2,10 @@
 // Closed forms of rho(w): the polytope found at one parameter value is followed as a function of the parameter.
 //
 // All numbers of an invariant polytope whose radius is rational are rational functions of the parameter once its words,
-// tree and supports are fixed. Each inclusion sum |c_j(u)| <= 1 is a set of inequalities between rational functions; the
-// polytope serves on the whole interval around the sample on which none of them changes sign, the ends included because
-// the joint spectral radius is continuous. Where rho(w) is quadratic over Q(w) and the curve is a conic with a rational
-// point, w = phi(u) makes rho rational.
+// tree and supports are fixed. Each inclusion sum |c_j(u)| <= 1 is a set of inequalities between rational functions;
+// the polytope serves on the whole interval around the sample on which none of them changes sign, the ends included
+// because the joint spectral radius is continuous. Where rho(w) is quadratic over Q(w) and the curve is a conic with a
+// rational point, w = phi(u) makes rho rational.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -92,7 +92,8 @@ std::optional<Parametrization> parametrized(const Polynomial& f, const std::stri
     if (!y) continue;
     const Rational slope = value(curve->inside.derivative(name), at);
     const Rational lead = value(curve->inside.derivative(name).derivative(name), at) / Rational(2);
-    const RationalFunction t = (RationalFunction(slope) - RationalFunction(Rational(2) * *y) * u) / (u * u - RationalFunction(lead));
+    const RationalFunction t =
+        (RationalFunction(slope) - RationalFunction(Rational(2) * *y) * u) / (u * u - RationalFunction(lead));
     const RationalFunction w = RationalFunction(at) + t;
     const RationalFunction root = RationalFunction(*y) + u * t;
     const auto in_u = [&](const Polynomial& p) { return RationalFunction(p).substitute(name, w); };
@@ -306,8 +307,8 @@ std::optional<Followed> follow(const AffineFamily& family, const Parametrization
 RealAlgebraic image_under(const RationalFunction& phi, const RealAlgebraic& u) {
   if (const auto q = u.rational()) return *phi.evaluate({{parameter, *q}});
   const RationalFunction difference = RationalFunction::variable("w'") - phi;
-  const Polynomial equation =
-      Polynomial::resultant(u.polynomial().substitute("x", Polynomial::variable(parameter)), difference.numerator(), parameter);
+  const Polynomial equation = Polynomial::resultant(u.polynomial().substitute("x", Polynomial::variable(parameter)),
+                                                    difference.numerator(), parameter);
   RealAlgebraic fine = u;
   fine.refine(Rational(1, 1L << 60));
   const double value = estimate(*phi.evaluate({{parameter, fine.lower()}}));
@@ -430,8 +431,8 @@ std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Ratio
     const auto [low, high] = gaps.back();
     gaps.pop_back();
     const Rational w0 = rational_between(low, high);
-    auto served = follower.serve(low, high, w0,
-                                 [&](const ParameterInterval& i) { return i.from == low && i.to == high; });
+    auto served =
+        follower.serve(low, high, w0, [&](const ParameterInterval& i) { return i.from == low && i.to == high; });
     if (served) {
       claims.push_back(std::move(served->claim));
       add_gap(low, served->range.interval.from);
@@ -442,7 +443,8 @@ std::vector<RadiusRange> polytope_ranges(const AffineFamily& family, const Ratio
       add_gap(w0, high);
     }
   }
-  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return less(a.interval.from, b.interval.from); });
+  std::sort(list.begin(), list.end(),
+            [](const auto& a, const auto& b) { return less(a.interval.from, b.interval.from); });
   std::vector<RadiusRange> merged;
   for (auto& r : list) {
     if (merged.empty() || !(merged.back().polynomial == r.polynomial) || merged.back().expression != r.expression ||

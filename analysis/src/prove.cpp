@@ -772,8 +772,9 @@ bool takes_space(const std::string& claim) {
 }  // namespace
 
 const std::vector<std::string>& claim_names() {
-  static const std::vector<std::string> names = {"interpolatory", "symmetric",    "sum-rules",  "generates",  "reproduces",
-                                                 "maximal",       "well-defined", "continuity", "contractive"};
+  static const std::vector<std::string> names = {"interpolatory", "symmetric",  "sum-rules",
+                                                 "generates",     "reproduces", "maximal",
+                                                 "well-defined",  "continuity", "contractive"};
   return names;
 }
 
@@ -868,14 +869,14 @@ Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
       bad_input(c.name + " needs a space: " + c.name + "=\"1,x,...\"", scheme.id);
     const bool own_variables = p.variables.size() == p.scale.size() &&
                                std::all_of(p.scale.begin(), p.scale.end(), [](unsigned n) { return n == 1; });
-    Decision d = is_smoothness(c.name)     ? smoothness(scheme, c, own_variables)
+    Decision d = is_smoothness(c.name)       ? smoothness(scheme, c, own_variables)
                  : c.name == "interpolatory" ? prover.interpolatory()
-                 : c.name == "symmetric"   ? prover.symmetric()
-                 : c.name == "sum-rules"   ? prover.sum_rules(c.subject)
-                 : c.name == "generates"   ? prover.generates(*p.subjects[i])
-                 : c.name == "reproduces"  ? prover.reproduces(*p.subjects[i])
-                 : c.name == "maximal"     ? prover.maximal(*p.subjects[i])
-                                           : prover.well_defined();
+                 : c.name == "symmetric"     ? prover.symmetric()
+                 : c.name == "sum-rules"     ? prover.sum_rules(c.subject)
+                 : c.name == "generates"     ? prover.generates(*p.subjects[i])
+                 : c.name == "reproduces"    ? prover.reproduces(*p.subjects[i])
+                 : c.name == "maximal"       ? prover.maximal(*p.subjects[i])
+                                             : prover.well_defined();
     if (!d.evidence.is_null() && d.verdict != Verdict::undecided) entries.push_back(d.evidence);
     for (const auto& e : d.supporting)
       if (std::find(entries.begin(), entries.end(), e) == entries.end()) entries.push_back(e);

@@ -113,8 +113,7 @@ RationalMatrix evaluate(const Polynomial& p, const RationalMatrix& a) {
   RationalMatrix r(a.rows(), a.rows());
   const RationalMatrix one = RationalMatrix::identity(a.rows());
   const fmpz_poly_struct* view = p.univariate_view();
-  for (long i = fmpz_poly_degree(view); i >= 0; --i)
-    r = r * a + Rational(fmpz_poly_get_coeff_ptr(view, i)) * one;
+  for (long i = fmpz_poly_degree(view); i >= 0; --i) r = r * a + Rational(fmpz_poly_get_coeff_ptr(view, i)) * one;
   return r;
 }
 

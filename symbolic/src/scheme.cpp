@@ -89,7 +89,8 @@ std::optional<Laurent> limit_symbol(const Scheme& scheme) {
 Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string, RationalFunction>>& values) {
   Scheme s = scheme;
   for (const auto& [name, value] : values) {
-    const auto found = std::find_if(s.parameters.begin(), s.parameters.end(), [&](const auto& p) { return p.name == name; });
+    const auto found =
+        std::find_if(s.parameters.begin(), s.parameters.end(), [&](const auto& p) { return p.name == name; });
     if (found == s.parameters.end()) bad_input("the scheme has no parameter of this name", name);
     s.parameters.erase(found);
     for (auto& phase : s.phases)

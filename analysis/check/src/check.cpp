@@ -115,7 +115,8 @@ std::string head_line(const Family& family) {
   return std::to_string(family.matrices.size()) + " matrices B_0, B_1, ... of size " + size + "x" + size;
 }
 
-void check_claim(const Value& value, std::size_t number, const Subject& subject, Meter& meter, Report& report, Trusted& trusted) {
+void check_claim(const Value& value, std::size_t number, const Subject& subject, Meter& meter, Report& report,
+                 Trusted& trusted) {
   const std::string where = "claims[" + std::to_string(number) + "]";
   Fields fields(value, where);
   const std::string& name = fields.take_string("claim");

@@ -175,7 +175,8 @@ void check_zero_blocks(const Subject& subject, Fields& fields, Meter& meter) {
     for (const Matrix& matrix : matrices) {
       for (std::size_t row = first; row < n; ++row) {
         for (std::size_t column = first; column < first + size; ++column) {
-          if (matrix.at(row, column) != 0) throw Refused("the matrices are not strictly block triangular in this basis");
+          if (matrix.at(row, column) != 0)
+            throw Refused("the matrices are not strictly block triangular in this basis");
         }
       }
     }
@@ -232,7 +233,8 @@ Finding exact(const AnyContext& context, Fields& fields, bool proved, RadiusBoun
   if (object.next_is_text("polynomial", "x")) {
     object.take("polynomial");
     for (const Value& end : object.take_array("interval")) {
-      if (as_string(end, object.path("interval")) != "0") throw Malformed(object.path("interval") + ": [\"0\", \"0\"] is expected");
+      if (as_string(end, object.path("interval")) != "0")
+        throw Malformed(object.path("interval") + ": [\"0\", \"0\"] is expected");
     }
     object.take_integer("bits", 0, 0);
     object.done();

@@ -61,10 +61,12 @@ constexpr std::array<Theorem, 13> list{{
      "products B_w of n of them; it does not depend on the norm. The spectral radius of each product of n of them is "
      "at most JSR^n. A real polynomial p of degree d >= 1 has all its complex zeros in |x| < 1 if and only if |p_0| < "
      "|p_d| and (p_d p(x) - p_0 x^d p(1/x))/x has. If det(t - P) <= 0 for a real matrix P and t > 0, then P has a real "
-     "eigenvalue >= t. The JSR is a continuous function of the matrices. If JSR belongs to the remainder c of a(z) = m^{-N} (1+...+z^{m-1})^N c(z), a(1) = m, then the largest N-th divided "
+     "eigenvalue >= t. The JSR is a continuous function of the matrices. If JSR belongs to the remainder c of a(z) = "
+     "m^{-N} (1+...+z^{m-1})^N c(z), a(1) = m, then the largest N-th divided "
      "difference of the data at level k grows like JSR^k; so the Hoelder exponent of the basic limit function, if its "
      "integer shifts are stable, is at most N - log_m(JSR), where N is the exact order of the sum rules."},
-    {"invariant-polytope", "Rota-Strang 1960; Guglielmi-Protasov 2013; Charina-Conti-Guglielmi-Protasov 2017; Heil-Strang 1995 (continuity)",
+    {"invariant-polytope",
+     "Rota-Strang 1960; Guglielmi-Protasov 2013; Charina-Conti-Guglielmi-Protasov 2017; Heil-Strang 1995 (continuity)",
      "If finitely many points span R^d and the matrices B_s/R map each of them into the absolutely convex hull of all "
      "of them, then this hull is the unit ball of a norm in which all B_s/R have norm at most 1: JSR <= R, and "
      "products of the B_s/R are bounded. The JSR of block triangular matrices is the largest JSR of a diagonal block; "
@@ -87,7 +89,8 @@ constexpr std::array<Theorem, 13> list{{
      "belongs to c: if rho < m^N, the scheme converges and the Hoelder exponent of its limits is at least N - "
      "log_m(rho), with equality for the basic limit function if its integer shifts are stable and N is the exact "
      "order of the sum rules. So rho is a continuous function of c, and an eigenvalue of M: where no eigenvalue of M "
-     "reaches a number, rho stays on one side of it. If g(z) = c(z) c(1/z), then the basic limit function lies in the Sobolev spaces of all "
+     "reaches a number, rho stays on one side of it. If g(z) = c(z) c(1/z), then the basic limit function lies in the "
+     "Sobolev spaces of all "
      "orders less than N - log_m(rho/m)/2, and in none of larger order if its integer shifts are stable."},
     {"jia-wang", "Jia-Wang 1993 (m = 2; the argument is the same for any m); Jia-Micchelli 1991",
      "Let a(1) = m and phi be the basic limit function, whose Fourier transform at t is the product over k >= 1 of "

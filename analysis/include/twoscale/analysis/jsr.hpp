@@ -29,8 +29,8 @@ using Word = std::vector<int>;
 struct JsrOptions {
   // Stop refining when upper/lower - 1 is at most this.
   Rational width = Rational(1, 10000);
-  size_t vertices = 1500;     // of one polytope
-  double seconds = 60;        // after that the best bounds proved so far are returned
+  size_t vertices = 1500;       // of one polytope
+  double seconds = 60;          // after that the best bounds proved so far are returned
   bool enclosure_only = false;  // do not look for the exact value
   Rational extra = 0;           // > 0: unit vectors of this length are vertices of an exact polytope as well
   int threads = 1;
@@ -45,8 +45,8 @@ struct PolytopeShape {
     std::optional<std::pair<size_t, int>> equals;  // (vertex, sign)
     std::vector<size_t> support;                   // otherwise: the vertices it is a combination of
   };
-  std::vector<Word> words;  // of the roots
-  std::vector<int> signs;   // of their leading eigenvalues
+  std::vector<Word> words;                   // of the roots
+  std::vector<int> signs;                    // of their leading eigenvalues
   std::vector<std::vector<Rational>> roots;  // their vectors, if the radius is rational
   std::vector<std::pair<size_t, size_t>> tree;
   std::vector<size_t> inner;
@@ -54,7 +54,7 @@ struct PolytopeShape {
 };
 
 struct JsrResult {
-  Rational lower;                      // proved: lower <= JSR <= upper
+  Rational lower;  // proved: lower <= JSR <= upper
   Rational upper;
   std::optional<RealAlgebraic> exact;  // the JSR, proved
   std::vector<Word> cycles;            // words that attain it (exact), or the one that gives `lower`
@@ -92,8 +92,8 @@ BlockForm block_triangular_form(const Family& family);
 
 // B_{w_n} ... B_{w_1}.
 RationalMatrix product(const Family& family, const Word& word);
-// The real eigenvalues of largest modulus, the positive one first; empty if a complex pair is (in floating point) beyond
-// them.
+// The real eigenvalues of largest modulus, the positive one first; empty if a complex pair is (in floating point)
+// beyond them.
 std::vector<RealAlgebraic> leading_eigenvalues(const RationalMatrix& a);
 
 }  // namespace twoscale::analysis

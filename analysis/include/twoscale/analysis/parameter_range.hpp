@@ -2,7 +2,8 @@
 // Smoothness along a parameter: for a mask whose remainder is affine in w, where in [a, b] the scheme is C^l.
 //
 //   what is proved                               how
-//   rho(w) = a zero of F(w, x) on a range        the symbol is non-negative at both ends, so in between; F is a factor of
+//   rho(w) = a zero of F(w, x) on a range        the symbol is non-negative at both ends, so in between; F is a factor
+//   of
 //                                                the central matrix' characteristic polynomial that no other one meets
 //   rho(w) = a closed form on a range            an invariant polytope with vertices in Q(w)
 //   C^l on [lo, hi], for w constant or not       one polytope for the matrices of both ends
@@ -49,7 +50,7 @@ struct ParameterRange {
   long order = 0;  // N, for all w at once
   std::vector<RadiusRange> radius;
   std::vector<ContinuityRange> continuity;
-  std::vector<std::pair<Rational, Regularity>> samples;  // at equidistant w, ends included
+  std::vector<std::pair<Rational, Regularity>> samples;        // at equidistant w, ends included
   std::optional<std::pair<Rational, Regularity>> exceptional;  // the w in [from, to] with more than N sum rules
   std::string certificate;
 };

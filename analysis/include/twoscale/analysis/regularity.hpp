@@ -31,12 +31,12 @@ struct Exponent {
 };
 
 struct Regularity {
-  long order = 0;                // N
-  std::vector<Rational> c;       // the remainder
-  Family matrices;               // the transition matrices B_0..B_{m-1}
-  std::vector<long> blocks;      // sizes of the diagonal blocks of their common block triangular form
-  std::string obstacle;          // why the scheme cannot converge; empty if that is not seen from the sum rules
-  long continuity = -1;          // C^continuity is proved; -1: not even C^0
+  long order = 0;            // N
+  std::vector<Rational> c;   // the remainder
+  Family matrices;           // the transition matrices B_0..B_{m-1}
+  std::vector<long> blocks;  // sizes of the diagonal blocks of their common block triangular form
+  std::string obstacle;      // why the scheme cannot converge; empty if that is not seen from the sum rules
+  long continuity = -1;      // C^continuity is proved; -1: not even C^0
   Exponent hoelder;
   Exponent sobolev;
   JsrResult jsr;
@@ -45,9 +45,9 @@ struct Regularity {
   std::optional<bool> attained;  // is the limit of the exponent's class itself (integer k: Lipschitz f^{(k-1)})?
   // Level-dependent schemes only.
   bool level_dependent = false;
-  bool transferred = false;          // the limit's exponent holds for the scheme itself
-  std::string generated;             // the space whose generation proves that
-  std::vector<std::string> excluded; // values of v^0 for which some step has a pole
+  bool transferred = false;                    // the limit's exponent holds for the scheme itself
+  std::string generated;                       // the space whose generation proves that
+  std::vector<std::string> excluded;           // values of v^0 for which some step has a pole
   std::vector<nlohmann::ordered_json> claims;  // of the certificate
   std::string certificate;
 };
@@ -60,8 +60,8 @@ struct RegularityOptions {
 // Required: no free constant parameter (Error bad_input names it).
 Regularity regularity(const Scheme& scheme, const RegularityOptions& options);
 
-// Is the scheme C^l? Proved from an upper bound of the radius (and, level-dependent, by transfer from the limit); refuted
-// for a stationary scheme with stable integer shifts and rho >= m^{N-l}.
+// Is the scheme C^l? Proved from an upper bound of the radius (and, level-dependent, by transfer from the limit);
+// refuted for a stationary scheme with stable integer shifts and rho >= m^{N-l}.
 Decision decide_continuity(const Scheme& scheme, long l, const RegularityOptions& options);
 
 // N - log_m(radius), as an exponent, from the radius or its bounds.

@@ -67,8 +67,9 @@ bool is_interpolatory(const Scheme& scheme);  // a_{m j} = delta_{j0}
 std::vector<LevelVariable> level_variables(const Scheme& scheme);
 // The symbol at level variables 1: what the masks tend to. nullopt if there is a pole.
 std::optional<Laurent> limit_symbol(const Scheme& scheme);
-// The scheme with some of its parameters replaced by values; they are no parameters any more, and the id says so. Throws
-// Error(bad_input) for a name that is no parameter of the scheme and for a value at which a coefficient has a pole.
+// The scheme with some of its parameters replaced by values; they are no parameters any more, and the id says so.
+// Throws Error(bad_input) for a name that is no parameter of the scheme and for a value at which a coefficient has a
+// pole.
 Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string, RationalFunction>>& values);
 // Parameters for the level variables of a space.
 std::vector<Parameter> level_parameters(const Space& space);
