@@ -38,6 +38,7 @@ struct Options {
   std::string certificate;
   std::string width = "1/10000";
   size_t vertices = 1500;
+  bool limited = false;  // a width or a limit was asked for
 };
 
 // ---- Values out
@@ -340,9 +341,16 @@ analysis::JsrOptions search_options(const Session& session, const Options& o) {
   return options;
 }
 
+// 3 if the limits that were asked for ended the search before the width that was to be reached.
+int status(const JsrResult& r, const analysis::JsrOptions& options, const Options& o) {
+  if (r.exact || !o.limited) return 0;
+  return r.upper <= r.lower * (Rational(1) + Rational(2) * options.width) ? 0 : 3;
+}
+
 int run_matrices(const Session& session, const Options& o) {
   const analysis::Family family = read_matrices(o.matrices);
-  const JsrResult r = analysis::joint_spectral_radius(family, {}, search_options(session, o));
+  const analysis::JsrOptions options = search_options(session, o);
+  const JsrResult r = analysis::joint_spectral_radius(family, {}, options);
   const std::string certificate = analysis::certificate_text(o.matrices, family, r.claims);
   if (session.common.format == "json") {
     Json j = document(o.matrices);
@@ -356,7 +364,7 @@ int run_matrices(const Session& session, const Options& o) {
                 jsr_text(r) + "\n",
             o.certificate, certificate);
   }
-  return 0;
+  return status(r, options, o);
 }
 
 int run_scheme(const Session& session, const Options& o) {
@@ -369,7 +377,7 @@ int run_scheme(const Session& session, const Options& o) {
           session.common.format == "json" ? regularity_json(scheme, r, certificate)
                                           : regularity_text(scheme, r, certificate),
           certificate, r.certificate);
-  return 0;
+  return r.obstacle.empty() ? status(r.jsr, options.jsr, o) : 0;
 }
 
 // ---- Along a parameter
@@ -537,8 +545,9 @@ void add_regularity_command(CLI::App& app, Session& session) {
       ->type_name("Q");
   c->add_option("--vertices", o->vertices, "most vertices of a polytope, 1500 by default")
       ->check(CLI::Range(4, 100000));
-  c->callback([&session, o] {
+  c->callback([&session, o, c] {
     session.keeps_time = true;
+    o->limited = c->count("--width") + c->count("--vertices") > 0 || session.common.time_limit > 0;
     session.action = [&session, o] {
       if (o->scheme.empty() == o->matrices.empty()) bad_input("regularity needs a scheme or --matrices FILE");
       if (!o->matrices.empty() && (!o->over.empty() || !o->at.empty()))

@@ -32,6 +32,7 @@ namespace {
 constexpr long working_bits = 192;    // of the balls that certify, beyond the size of the numbers
 constexpr double interior = 1e-7;     // an image this far inside is proved to be inside; others become vertices
 constexpr size_t most_cycles = 8;     // roots of one tree
+constexpr long largest_degree = 230;  // of the equation of a radius; beyond it exact arithmetic is too slow
 constexpr double coincidence = 1e-9;  // images this near to a vertex are tried as equal to it
 
 void report(const JsrOptions& options, const std::string& line) {
@@ -111,6 +112,7 @@ Polytope estimate_polytope(const std::vector<Real>& normalised, std::vector<Real
     for (size_t s = 0; s < normalised.size(); ++s) {
       if (p.vertices.size() > most || deadline.passed()) return p;
       RealVector x = normalised[s] * p.vertices[v];
+      if (!x.allFinite()) return p;
       Image image{v, s, std::nullopt, {}};
       const Hull::Coordinates at = hull.estimate_coordinates(x);
       if (at.norm < 1 - interior) {
@@ -344,6 +346,39 @@ Json zero_block(const Family& block, const Rational& bound) {
       inner.push_back(static_cast<size_t>(i));
       for (size_t s = 0; s < block.size(); ++s) images.push_back(sum_json({}));
     }
+  return block_json(d, bound.to_string(), std::move(roots), {}, inner, std::move(images));
+}
+
+// JSR <= the largest column sum of absolute values: the unit vectors are mapped into their hull. Always there.
+Rational column_norm(const Family& block) {
+  Rational largest;
+  for (const auto& b : block)
+    for (long j = 0; j < b.columns(); ++j) {
+      Rational sum;
+      for (long i = 0; i < b.rows(); ++i) sum += abs(b(i, j));
+      largest = std::max(largest, sum);
+    }
+  return largest;
+}
+
+Json norm_block(const Family& block) {
+  const Rational bound = column_norm(block);
+  const long d = block[0].rows();
+  Json roots = Json::array();
+  Json images = Json::array();
+  std::vector<size_t> inner;
+  for (long j = 0; j < d; ++j) {
+    std::vector<std::string> unit(static_cast<size_t>(d), "0");
+    unit[static_cast<size_t>(j)] = "1";
+    roots.push_back(root_json({}, 1, 1, unit));
+    inner.push_back(static_cast<size_t>(j));
+    for (const auto& b : block) {
+      std::vector<std::pair<size_t, Rational>> sum;
+      for (long i = 0; i < d; ++i)
+        if (!b(i, j).is_zero()) sum.emplace_back(static_cast<size_t>(i), b(i, j) / bound);
+      images.push_back(sum_json(sum));
+    }
+  }
   return block_json(d, bound.to_string(), std::move(roots), {}, inner, std::move(images));
 }
 
@@ -671,7 +706,7 @@ std::vector<ExactCycle> exact_cycles(const Family& block, const Word& word) {
   const RationalMatrix p = product(block, word);
   std::vector<ExactCycle> list;
   for (const auto& lambda : leading_eigenvalues(p)) {
-    if (lambda.sign() == 0) continue;
+    if (lambda.sign() == 0 || lambda.degree() * static_cast<long>(word.size()) > largest_degree) continue;
     const RationalMatrix kernel = evaluate(lambda.polynomial(), p).kernel();
     const RealAlgebraic radius = lambda.root_of_modulus(static_cast<unsigned>(word.size()));
     // Columns whose cyclic spaces are independent of those taken before.
@@ -750,6 +785,16 @@ Searched estimate_blocks(const BlockForm& form) {
   return found;
 }
 
+// The product that was found to lead becomes the candidate.
+void adopt(const Family& block, const Word& word, CycleSearch& cycles, const JsrOptions& options) {
+  report(options, "a longer product leads: length " + std::to_string(word.size()));
+  const std::vector<Real> family = normalised_by(block, 1);
+  Real p = Real::Identity(block[0].rows(), block[0].rows());
+  for (const int s : word) p = family[static_cast<size_t>(s)] * p;
+  cycles.words = {word};
+  cycles.radius = std::pow(estimate_spectral_radius(p), 1.0 / static_cast<double>(word.size()));
+}
+
 std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, const JsrSubject& subject,
                                      const JsrOptions& options, const Deadline& deadline) {
   JsrResult result;
@@ -781,7 +826,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
     for (int round = 0; round < 64 && !done && !deadline.passed(); ++round) {
       std::vector<ExactCycle> exact;
       for (const auto& word : cycles.words) {
-        if (exact.size() >= most_cycles) break;
+        if (exact.size() >= most_cycles || deadline.passed()) break;
         for (auto& c : exact_cycles(block, word)) {
           const int order_of = exact.empty() ? 0 : RealAlgebraic::compare(c.radius, exact.front().radius);
           if (order_of > 0) exact.clear();
@@ -814,13 +859,18 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
         done = true;
         ++attained;
       } else if (outcome.better) {
-        report(options, "a longer product leads: length " + std::to_string(outcome.better->size()));
         if (rho) return std::nullopt;
-        std::vector<Real> family = normalised_by(block, 1);
-        Real p = Real::Identity(d, d);
-        for (const int s : *outcome.better) p = family[static_cast<size_t>(s)] * p;
-        cycles.words = {*outcome.better};
-        cycles.radius = std::pow(estimate_spectral_radius(p), 1.0 / static_cast<double>(outcome.better->size()));
+        adopt(block, *outcome.better, cycles, options);
+        // Further ones are looked for without exact arithmetic, which is slow for long words.
+        for (int step = 0; step < 256 && !deadline.passed(); ++step) {
+          const std::vector<Real> normalised = normalised_by(block, cycles.radius);
+          Real p = Real::Identity(d, d);
+          for (const int s : cycles.words[0]) p = normalised[static_cast<size_t>(s)] * p;
+          const Polytope next = estimate_polytope(normalised, {estimate_leading_vectors(p).front()}, 0, false,
+                                                  options.vertices, Deadline(0.1 * deadline.left()));
+          if (!next.better) break;
+          adopt(block, *next.better, cycles, options);
+        }
         found.radius = std::max(found.radius, cycles.radius);
       } else {
         return std::nullopt;
@@ -919,6 +969,15 @@ JsrResult enclosed(const Family& family, const BlockForm& form, const Searched& 
   std::vector<double> margins;
   for (double margin = std::max(target, 0.02); margin > target; margin /= 4) margins.push_back(margin);
   margins.push_back(target);
+  // The norm is the bound to improve upon.
+  for (const auto& block : form.blocks) result.upper = std::max(result.upper, column_norm(block));
+  Json norm = head("jsr-upper", subject);
+  norm["bound"] = result.upper.to_string();
+  norm["basis"] = basis_json(form);
+  norm["blocks"] = Json::array();
+  for (const auto& block : form.blocks)
+    norm["blocks"].push_back(all_zero(block) ? zero_block(block, result.upper) : norm_block(block));
+  norm["theorem"] = "invariant-polytope";
   std::optional<Json> best;
   const auto run = [&](const std::vector<double>& batch, double seconds) {
     std::vector<Attempt> done(batch.size());
@@ -929,7 +988,7 @@ JsrResult enclosed(const Family& family, const BlockForm& form, const Searched& 
     bool all = true;
     for (auto& d : done) {
       all = all && d.claim.has_value();
-      if (!d.claim || (best && !(d.bound < result.upper))) continue;
+      if (!d.claim || !(d.bound < result.upper)) continue;
       best = std::move(d.claim);
       result.upper = d.bound;
       report(options, "proved: radius <= " + rounded_decimal(result.upper, 8));
@@ -943,10 +1002,10 @@ JsrResult enclosed(const Family& family, const BlockForm& form, const Searched& 
              0.6 * deadline.left()))
       break;
   }
-  for (double margin = 0.1; !best && margin < 1e8; margin *= margin < 1 ? 3 : 10) run({margin}, 2);
-  if (!best) throw Error(Error::Kind::undecided, "no bound of the joint spectral radius was proved within the limits");
+  for (double margin = 0.1; !best && margin < 100 && !deadline.passed(); margin *= 3)
+    run({margin}, deadline.left() / 2);
   result.bounded = false;
-  result.claims.push_back(std::move(*best));
+  result.claims.push_back(best ? std::move(*best) : std::move(norm));
   return result;
 }
 

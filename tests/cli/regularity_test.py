@@ -80,10 +80,10 @@ class RegularityTest(ProgramTest):
             self.assertLessEqual(mpmath.mpf(low.numerator) / low.denominator, value + mpmath.mpf(10) ** -20)
             self.assertGreaterEqual(mpmath.mpf(high.numerator) / high.denominator, value - mpmath.mpf(10) ** -20)
 
-    def certified(self, *arguments):
+    def certified(self, *arguments, status=0):
         """The document, its certificate accepted by the checker."""
         file = self.path("certificate.json")
-        d = self.twoscale_json("regularity", *arguments, "--certificate", file)
+        d = self.twoscale_json("regularity", *arguments, "--certificate", file, status=status)
         self.assertEqual((d["format"], d["version"]), ("twoscale/regularity", 1))
         if d["certificate"] is not None:
             self.assertEqual(d["certificate"], file)
@@ -208,8 +208,8 @@ class Classics(RegularityTest):
 
 
 class Matrices(RegularityTest):
-    def radius(self, text, *arguments):
-        d = self.certified("--matrices", self.written("m.json", text), *arguments)
+    def radius(self, text, *arguments, status=0):
+        d = self.certified("--matrices", self.written("m.json", text), *arguments, status=status)
         self.assertEqual(set(d), {"format", "version", "scheme", "jsr", "method", "certificate"})
         self.expect_radius(d["jsr"])
         return d["jsr"]
@@ -303,12 +303,29 @@ class Matrices(RegularityTest):
                     rotation(6, 5, 0, q(20, 29), q(21, 29)))
         text = json.dumps([[[str(x) for x in row] for row in m] for m in (a, b)])
         begin = time.monotonic()
-        jsr = self.radius(text, "--time-limit", "2")
+        # Undecided within the limit, with the best bounds; without a limit an enclosure is an answer.
+        jsr = self.radius(text, "--time-limit", "2", status=3)
         self.assertLess(time.monotonic() - begin, 10)
         self.assertIsNone(jsr["exact"])
         self.assertLessEqual(Fraction(jsr["lower"]), 1)
         self.assertGreaterEqual(Fraction(jsr["lower"]), 1 - SMALL)
         self.assertGreaterEqual(Fraction(jsr["upper"]), 1)
+
+    def test_numbers_of_any_size(self):
+        # The leading vectors of the long products met here have entries beyond the range of doubles.
+        c = "-13/64,-3/16,1/16,-3/64,-3/32,9/16,41/32,33/32,21/32,19/64,-29/64,-21/32,-1/4"
+        d = self.certified(f'mask:coefficients="{c}",lowest=0', "--time-limit", "4", status=3)
+        self.assertEqual(d["continuity"], 0)
+        self.assertLess(Fraction(d["hoelder"]["lower"]), Fraction(d["hoelder"]["upper"]))
+
+    def test_paired_options(self):
+        matrices = self.written("m.json", "[[[1]]]")
+        self.refused("regularity", "--matrices", matrices, "--over", "w=[0,1]", naming="w=[0,1]")
+        self.refused("regularity", FOUR, "--at", "w=1/16,w=1/8", naming="given twice: w")
+        out, certificate = self.path("no/such/out"), self.path("c.json")
+        done = run("twoscale", "regularity", "dd:l=2", "--certificate", certificate, "-o", out)
+        self.assertEqual(done.returncode, 4)
+        self.assertFalse(os.path.exists(certificate))
 
 
 class Over(RegularityTest):
