@@ -6,6 +6,8 @@
 // the polytope serves on the whole interval around the sample on which none of them changes sign, the ends included
 // because the joint spectral radius is continuous. Where rho(w) is quadratic over Q(w) and the curve is a conic with a
 // rational point, w = phi(u) makes rho rational.
+#include <arb_fmpz_poly.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,6 +15,7 @@
 #include "affine_family.hpp"
 #include "twoscale/analysis/deadline.hpp"
 #include "twoscale/analysis/matrix.hpp"
+#include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::analysis {
 
@@ -309,13 +312,27 @@ RealAlgebraic image_under(const RationalFunction& phi, const RealAlgebraic& u) {
   const RationalFunction difference = RationalFunction::variable("w'") - phi;
   const Polynomial equation = Polynomial::resultant(u.polynomial().substitute("x", Polynomial::variable(parameter)),
                                                     difference.numerator(), parameter);
-  RealAlgebraic fine = u;
-  fine.refine(Rational(1, 1L << 60));
-  const double value = estimate(*phi.evaluate({{parameter, fine.lower()}}));
-  std::optional<RealAlgebraic> best;
-  for (const auto& zero : RealAlgebraic::zeros(equation))
-    if (!best || std::abs(zero.estimate() - value) < std::abs(best->estimate() - value)) best = zero;
-  return *best;
+  // The zero that phi(u) is: the only one whose ball meets that of phi(u).
+  const std::vector<RealAlgebraic> zeros = RealAlgebraic::zeros(equation);
+  const Polynomial numerator = phi.numerator();
+  const Polynomial denominator = phi.denominator();
+  for (long bits = 128; bits <= (1L << 14); bits *= 2) {
+    const Ball at = u.enclose(bits);
+    Ball value;
+    Ball divisor;
+    arb_fmpz_poly_evaluate_arb(value.raw(), numerator.univariate_view(), at.raw(), bits);
+    arb_fmpz_poly_evaluate_arb(divisor.raw(), denominator.univariate_view(), at.raw(), bits);
+    arb_div(value.raw(), value.raw(), divisor.raw(), bits);
+    const RealAlgebraic* found = nullptr;
+    int meetings = 0;
+    for (const auto& zero : zeros)
+      if (arb_overlaps(zero.enclose(bits).raw(), value.raw()) != 0) {
+        found = &zero;
+        ++meetings;
+      }
+    if (meetings == 1) return *found;
+  }
+  throw Error(Error::Kind::undecided, "the end of a range could not be told from its conjugates");
 }
 
 bool less(const RealAlgebraic& a, const RealAlgebraic& b) { return RealAlgebraic::compare(a, b) < 0; }
