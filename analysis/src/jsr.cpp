@@ -881,7 +881,7 @@ std::optional<JsrResult> prove_exact(const BlockForm& form, Searched& found, con
   if (!rho) return std::nullopt;
   rho->refine(Rational(1, 1L << 40));
   for (const auto& b : blocks)
-    if (!b["bound"].get<std::string>().empty() && Rational::parse(b["bound"].get<std::string>()) > rho->lower())
+    if (!b["bound"].get<std::string>().empty() && Rational::parse(b["bound"].get<std::string>()) >= rho->lower())
       return std::nullopt;
   result.lower = rho->lower();
   result.upper = rho->upper();

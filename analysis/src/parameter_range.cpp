@@ -83,7 +83,17 @@ std::optional<std::pair<RealAlgebraic, RealAlgebraic>> nonnegative_range(const A
   const RealAlgebraic to(b);
   zeros_inside(at_value(p, "x", 1), from, to, cuts);
   zeros_inside(at_value(p, "x", -1), from, to, cuts);
-  if (p.degree("x") > 1) zeros_inside(Polynomial::resultant(p, p.derivative("x"), "x"), from, to, cuts);
+  // Squarefree, or the discriminant could vanish identically and hide a change. Factors without x change the sign of
+  // all.
+  Polynomial squarefree = 1;
+  for (const auto& [factor, exponent] : p.factor().factors) {
+    if (factor.degree("x") > 0)
+      squarefree *= factor;
+    else
+      zeros_inside(factor, from, to, cuts);
+  }
+  if (squarefree.degree("x") > 1)
+    zeros_inside(Polynomial::resultant(squarefree, squarefree.derivative("x"), "x"), from, to, cuts);
   cuts.push_back(from);
   cuts.push_back(to);
   sort_distinct(cuts);
@@ -154,9 +164,14 @@ void exact_continuity(const AffineFamily& family, const RadiusRange& range, long
   const bool central = range.method == "nonnegative symbol";
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Rational w = rational_between(cuts[i], cuts[i + 1]);
-    const RealAlgebraic rho =
-        central ? central_at(family, w) : *joint_spectral_radius(family.matrices_at(w), {}, {}).exact;
-    const bool below = RealAlgebraic::compare(rho, tau) < 0;
+    bool below = false;
+    if (central) {
+      below = RealAlgebraic::compare(central_at(family, w), tau) < 0;
+    } else {
+      const JsrResult at = joint_spectral_radius(family.matrices_at(w), {}, {});
+      below = at.exact ? RealAlgebraic::compare(*at.exact, tau) < 0 : at.upper < tau;
+      if (!at.exact && !below && at.lower < tau) continue;  // not told: neither proved nor refuted here
+    }
     ParameterInterval interval{cuts[i], cuts[i + 1], true, true};
     if (below) {
       interval.from_included = !reaches(cuts[i]);
