@@ -2,10 +2,15 @@
 #include "twoscale/symbolic/scheme.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale {
+
+std::string local_name(const std::string& name, long offset) {
+  return name + (offset < 0 ? "_m" : "_") + std::to_string(std::abs(offset));
+}
 
 Scheme Scheme::from_symbol(std::string id, const Laurent& symbol, int arity, std::vector<Parameter> parameters) {
   if (symbol.is_zero()) bad_input("the mask is zero", id);

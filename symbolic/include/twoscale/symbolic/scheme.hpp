@@ -2,7 +2,7 @@
 // Scheme: the one value that every recipe fills and every analysis, table, kernel and report reads.
 //
 // f^{k+1}_{m j + s} = sum_h phases[s](h) f^k_{j+h}, s = 0..m-1; in symbol form a_{s - m h} = phases[s](h), so that
-// f^{k+1}_i = sum_j a_{i-mj} f^k_j. Stationary, level-dependent and (later) non-uniform or Hermite are derived
+// f^{k+1}_i = sum_j a_{i-mj} f^k_j. Stationary, level-dependent, non-uniform and Hermite are derived
 // properties: they differ in the scope of the parameters and in the block size only.
 #pragma once
 
@@ -25,8 +25,14 @@ struct Parameter {
   };
   std::string name;
   Scope scope = Scope::constant;
-  std::optional<LevelVariable> frequency;  // of a level parameter
+  std::optional<LevelVariable> frequency = {};  // of a level parameter
+  // Of a local parameter: the stencils of the edge [x_i, x_{i+1}] read its values at the edges i + offset, under the
+  // names local_name(name, offset).
+  std::vector<long> offsets = {};
 };
+
+// How a stencil spells the value of a local parameter: d_0, d_1, and d_m1 for offset -1.
+std::string local_name(const std::string& name, long offset);
 
 // One refinement rule. blocks[i] acts on f^k_{j + lowest + i}: block x block rational functions, row-major.
 struct Stencil {

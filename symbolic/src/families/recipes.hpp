@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the recipes of the catalogue share: reading keys, canonical names, and the list of recipe files.
+//
+// One file a family of schemes. Each has one function that appends its entries to the catalogue; catalog.cpp calls it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "twoscale/symbolic/catalog.hpp"
+
+namespace twoscale::families {
+
+constexpr long largest_l = 128;
+
+// The value of a key that is an integer between two bounds. Throws Error(bad_input) naming the text.
+long integer_key(const SchemeName& name, const std::string& key, long least, long greatest);
+// The key `arity`, 2 if absent.
+int arity_key(const SchemeName& name);
+// The same scheme has one name: the space in its canonical order, arity 2 not said.
+std::string canonical_id(SchemeName name, const Space& space);
+// {1, ..., x^{order-1}}.
+Space polynomials(unsigned order);
+
+// Each appends the entries of its file.
+void add_bsplines(std::vector<CatalogEntry>& list);
+void add_interpolating(std::vector<CatalogEntry>& list);
+void add_mask(std::vector<CatalogEntry>& list);
+
+}  // namespace twoscale::families
