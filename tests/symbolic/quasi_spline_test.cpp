@@ -199,16 +199,22 @@ TEST(QuasiSpline, PseudoSplinesAreTheStationaryMembers) {
       Laurent taylor, shen;
       Laurent power = one;
       for (unsigned j = 0; j <= l; ++j) {
-        taylor = taylor + RationalFunction(Rational::binomial(Rational(n, 2) + Rational(j) - Rational(1), j)) * power;
+        taylor = taylor + RationalFunction(
+                              Rational::binomial(Rational(static_cast<long>(n) + 2 * static_cast<long>(j) - 2, 2), j)) *
+                              power;
         Laurent rest = one;
         for (unsigned i = j; i < l; ++i) rest = rest * (one - y);
-        shen = shen + RationalFunction(Rational::binomial(Rational(n, 2) + Rational(l), j)) * power * rest;
+        shen = shen +
+               RationalFunction(Rational::binomial(Rational(static_cast<long>(n) + 2 * static_cast<long>(l), 2), j)) *
+                   power * rest;
         power = power * y;
       }
       const Laurent beta = bspline_symbol(polynomials(n));
       const Laurent mask = symbol(make_scheme(name));
       EXPECT_EQ(mask, beta * taylor) << name;
-      if (n % 2 == 0) EXPECT_EQ(mask, beta * shen) << name;
+      if (n % 2 == 0) {
+        EXPECT_EQ(mask, beta * shen) << name;
+      }
     }
 }
 
@@ -254,9 +260,10 @@ TEST(QuasiSpline, DeRhamTransforms) {
       ASSERT_TRUE(mask.has_value());
       EXPECT_TRUE(generates(*mask, *s.space, e)) << name;
       for (const Claim& c : s.claims)
-        if (c.name == "reproduces")
+        if (c.name == "reproduces") {
           EXPECT_TRUE(reproduces(*mask, Space::rebase(Space::parse(c.subject), s.space->variables()).space, e, true))
               << name;
+        }
     }
   }
 }
