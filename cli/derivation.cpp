@@ -124,6 +124,26 @@ Derivation derive(const Space& space, int arity, std::string scheme) {
   return d;
 }
 
+Derivation derive(const Scheme& scheme) {
+  const Laurent mask = symbol(scheme);
+  if (!scheme.reproduced) {
+    Derivation d = derive(*scheme.space, scheme.arity, scheme.id);
+    if (!(mask == d.sigma) && !(d.interpolating && mask == d.interpolating->zeta)) d.mask = mask;
+    return d;
+  }
+  Derivation d;
+  d.scheme = scheme.id;
+  d.arity = scheme.arity;
+  d.quasi = quasi_spline(*scheme.space, *scheme.reproduced);
+  d.space = d.quasi->space;
+  d.sigma = bspline_symbol(d.space, d.arity);
+  d.singular = d.quasi->singular;
+  d.mask = mask;
+  const auto factor = Laurent::quotient(mask, d.quasi->beta);
+  if (factor && !(*factor == d.quasi->q)) d.factor = *factor;
+  return d;
+}
+
 std::vector<long> impossible_polygons(const SingularSet& singular) {
   std::vector<long> n;
   for (const auto& v : singular.values)
@@ -176,11 +196,27 @@ Json to_json(const Derivation& d) {
     j["omega"] = nullptr;
     j["zeta"] = nullptr;
   }
+  if (d.quasi) {
+    const QuasiSpline& s = *d.quasi;
+    Json nodes = Json::array();
+    for (const auto& g : s.nodes) nodes.push_back(g.pretty());
+    j["reproduced"] = s.reproduced.items();
+    j["beta"] = laurent_json(s.beta);
+    j["system"] = Json::object({{"basis", "newton"},
+                                {"nodes", nodes},
+                                {"matrix", matrix_json(s.matrix)},
+                                {"rhs", list_json(s.rhs)},
+                                {"solution", list_json(s.solution)},
+                                {"determinant", s.determinant.to_string()}});
+    j["q"] = laurent_json(s.q);
+    if (d.factor) j["factor"] = laurent_json(*d.factor);
+  }
+  if (d.mask) j["mask"] = laurent_json(*d.mask);
   if (d.space.variables().size() > 1) {
     Json list = Json::array();
     for (const auto& c : d.singular.conditions)
-      list.push_back(
-          Json::object({{"condition", c.pretty()}, {"from", d.interpolating ? "determinant" : "normalisation"}}));
+      list.push_back(Json::object(
+          {{"condition", c.pretty()}, {"from", d.interpolating || d.quasi ? "determinant" : "normalisation"}}));
     j["singular"] = list;
   } else {
     Json list = Json::array();
@@ -191,6 +227,59 @@ Json to_json(const Derivation& d) {
   return j;
 }
 
+namespace {
+
+void print_singular(std::ostringstream& out, const Derivation& d) {
+  if (!d.space.variables().empty())
+    out << "\nsingular   " << (d.space.variables().size() > 1 ? "" : "v0 = ") << singular_text(d.singular) << "\n";
+  // Of a dual scheme v^0 may belong to half the frequency: no polygon is named then.
+  const auto n = d.quasi && d.quasi->order() % 2 == 1 ? std::vector<long>() : impossible_polygons(d.singular);
+  if (!n.empty()) {
+    out << "           a closed trigonometric curve sampled at 2*pi/N cannot start from N =";
+    for (const long k : n) out << " " << k;
+    out << " points\n";
+  }
+}
+
+// The equations that the factor of a quasi-spline solves, for people.
+std::string quasi_condition(const QuasiSpline& s) {
+  return s.order() % 2 == 0 ? "S(x) q(x) = 2, S(x) = beta(z)"
+                            : "S(x) q(x) = 2/(z^(1/2) + z^(-1/2)), S(x) = beta(z)/(1 + z)";
+}
+
+void print_quasi(std::ostringstream& out, const Derivation& d, const std::string& p) {
+  const QuasiSpline& s = *d.quasi;
+  out << "reproduced {" << s.reproduced.to_string() << "}, M = " << s.terms() << "\n";
+  out << "\nbeta, exponential B-spline of order " << s.order() << " as jeong2013 (3), support [" << s.beta.lowest()
+      << ", " << s.beta.highest() << "], p = " << p << ", generates the space\n";
+  print_mask(out, "beta", s.beta);
+  out << "\nq, from " << quasi_condition(s)
+      << ", x = z + 1/z, at the nodes in the Newton basis: H w = F, det H = " << s.determinant.to_string()
+      << "\n  nodes ";
+  for (const auto& g : s.nodes) out << " " << g.pretty();
+  out << "\n";
+  for (size_t r = 0; r < s.rhs.size(); ++r) {
+    out << "  H row " << r << " =";
+    for (size_t m = 0; m <= r; ++m) out << (m == 0 ? " " : ", ") << s.matrix[r][m].to_string();
+    out << "; F_" << r << " = " << s.rhs[r].to_string() << "\n";
+  }
+  for (size_t m = 0; m < s.solution.size(); ++m) out << "  w_" << m << " = " << s.solution[m].to_string() << "\n";
+  print_mask(out, "q", s.q);
+  if (d.factor) {
+    out << "\nfactor of this scheme, another one that solves the equations\n";
+    print_mask(out, "f", *d.factor);
+  }
+  const bool interpolating = !d.factor && s.order() == 2 * s.terms();
+  out << "\na = beta*" << (d.factor ? "f" : "q") << ", "
+      << (interpolating ? std::to_string(s.order()) + "-point interpolating, " : std::string()) << "support ["
+      << d.mask->lowest() << ", " << d.mask->highest() << "], p = " << p << ", reproduces {" << s.reproduced.to_string()
+      << "}\n";
+  print_mask(out, "a", *d.mask);
+  print_singular(out, d);
+}
+
+}  // namespace
+
 std::string to_text(const Derivation& d) {
   std::ostringstream out;
   out << "space      {" << d.space.to_string() << "}, dimension " << d.space.dimension() << "\n";
@@ -198,6 +287,10 @@ std::string to_text(const Derivation& d) {
   for (const auto& v : d.space.variables())
     out << "level      " << v.name << " = " << v.meaning(d.arity) << ", " << recurrence(v.name, d.arity) << "\n";
   const Scheme sigma = Scheme::from_symbol("sigma", d.sigma, d.arity, {});
+  if (d.quasi) {
+    print_quasi(out, d, sigma.shift.to_string());
+    return out.str();
+  }
   out << "\nsigma, approximating, support [" << d.sigma.lowest() << ", " << d.sigma.highest()
       << "], p = " << sigma.shift.to_string() << ", generates the space\n";
   print_mask(out, "sigma", d.sigma);
@@ -217,18 +310,64 @@ std::string to_text(const Derivation& d) {
   } else if (d.arity == 2) {
     out << "\nno interpolating 2l-point scheme: the dimension is odd (sigma is dual)\n";
   }
-  if (d.arity == 2) {
-    if (!d.space.variables().empty())
-      out << "\nsingular   " << (d.space.variables().size() > 1 ? "" : "v0 = ") << singular_text(d.singular) << "\n";
-    const auto n = impossible_polygons(d.singular);
-    if (!n.empty()) {
-      out << "           a closed trigonometric curve sampled at 2*pi/N cannot start from N =";
-      for (const long k : n) out << " " << k;
-      out << " points\n";
-    }
+  if (d.mask) {
+    out << "\na, the mask of the scheme, support [" << d.mask->lowest() << ", " << d.mask->highest() << "]\n";
+    print_mask(out, "a", *d.mask);
   }
+  if (d.arity == 2) print_singular(out, d);
   return out.str();
 }
+
+namespace {
+
+std::string tex_singular(const SingularSet& singular) {
+  std::string s;
+  if (!singular.values.empty()) {
+    s += "It exists for all $v^0 \\in (-1, \\infty)$ but\n$";
+    for (size_t k = 0; k < singular.values.size(); ++k) {
+      const auto& v = singular.values[k];
+      std::string exact = v.exact();
+      if (exact.starts_with("cos(")) {
+        const Rational top(v.angle.numerator());
+        exact = "\\cos\\tfrac{" + (top == Rational(1) ? std::string() : top.to_string()) + "\\pi}{" +
+                Rational(v.angle.denominator()).to_string() + "}";
+      } else if (exact.ends_with("1/2")) {
+        exact = exact.starts_with("-") ? "-\\tfrac12" : "\\tfrac12";
+      }
+      s += (k == 0 ? "" : ",\\ ") + exact + "\\ (k=" + std::to_string(v.level) + ")";
+    }
+    s += "$.\n";
+  }
+  if (!singular.conditions.empty()) {
+    s += "A step exists where none of these vanishes: $";
+    for (size_t k = 0; k < singular.conditions.size(); ++k)
+      s += (k == 0 ? "" : ",\\ ") + singular.conditions[k].pretty(Polynomial::Style::latex);
+    s += "$.\n";
+  }
+  return s;
+}
+
+std::string tex_quasi(const Derivation& d) {
+  const QuasiSpline& q = *d.quasi;
+  const std::string last = std::to_string(q.terms() - 1);
+  const bool even = q.order() % 2 == 0;
+  std::string s = "The exponential B-spline with mask\n\\begin{align*}\n" + tex_mask("\\beta", q.beta) +
+                  "\n\\end{align*}\ngenerates $V$. To reproduce $\\operatorname{span}\\{" + q.reproduced.to_latex() +
+                  "\\}$ it is multiplied by\n$q(z) = \\sum_{m=0}^{" + last +
+                  "} w_m \\prod_{i<m}(z+z^{-1}-\\gamma_i)$ with $\\gamma = (";
+  for (size_t k = 0; k < q.nodes.size(); ++k) s += (k == 0 ? "" : ", ") + q.nodes[k].pretty(Polynomial::Style::latex);
+  s += std::string(")$, the Hermite interpolant at $\\gamma$ of\n$") + (even ? "2/\\beta(z)" : "2z^{1/2}/\\beta(z)") +
+       "$ as a function of $z+z^{-1}$:\n\\[\n" + tex_matrix(q.matrix) + " w = " + tex_column(q.rhs) +
+       ",\n\\qquad \\det = " + tex(q.determinant) + ",\n\\qquad w = " + tex_column(q.solution) + ".\n\\]\n";
+  s += "Hence\n\\begin{align*}\n" + tex_mask("q", q.q) + ",\n\\end{align*}\n";
+  if (d.factor)
+    s += "and the factor of this scheme,\n\\begin{align*}\n" + tex_mask("f", *d.factor) +
+         ",\n\\end{align*}\nsolves the same equations. ";
+  s += "The scheme is\n\\begin{align*}\n" + tex_mask("a", *d.mask) + ".\n\\end{align*}\n";
+  return s + tex_singular(d.singular);
+}
+
+}  // namespace
 
 std::string to_latex(const Derivation& d) {
   std::string s = "% " + d.scheme + "\n";
@@ -236,6 +375,7 @@ std::string to_latex(const Derivation& d) {
        "\\}$, $\\dim V = " + std::to_string(d.space.dimension()) + "$";
   for (const auto& v : d.space.variables())
     s += ",\n$" + tex_meaning(v, d.arity) + "$ with $" + tex_recurrence(v, d.arity) + "$";
+  if (d.quasi) return s + ".\n" + tex_quasi(d);
   s += ".\nThe approximating scheme with mask\n\\begin{align*}\n" + tex_mask("\\sigma", d.sigma) +
        "\n\\end{align*}\ngenerates $V$.\n";
   if (d.interpolating) {
@@ -251,28 +391,7 @@ std::string to_latex(const Derivation& d) {
          std::to_string(d.space.dimension()) + "-point interpolating scheme with $\\zeta_0 = 1$,\n\\begin{align*}\n";
     const Laurent odd = i.zeta - Laurent::monomial(0);
     s += tex_mask("\\zeta", odd) + "\n\\end{align*}\n";
-    if (!d.singular.values.empty()) {
-      s += "It exists for all $v^0 \\in (-1, \\infty)$ but\n$";
-      for (size_t k = 0; k < d.singular.values.size(); ++k) {
-        const auto& v = d.singular.values[k];
-        std::string exact = v.exact();
-        if (exact.starts_with("cos(")) {
-          const Rational top(v.angle.numerator());
-          exact = "\\cos\\tfrac{" + (top == Rational(1) ? std::string() : top.to_string()) + "\\pi}{" +
-                  Rational(v.angle.denominator()).to_string() + "}";
-        } else if (exact.ends_with("1/2")) {
-          exact = exact.starts_with("-") ? "-\\tfrac12" : "\\tfrac12";
-        }
-        s += (k == 0 ? "" : ",\\ ") + exact + "\\ (k=" + std::to_string(v.level) + ")";
-      }
-      s += "$.\n";
-    }
-    if (!d.singular.conditions.empty()) {
-      s += "A step exists where none of these vanishes: $";
-      for (size_t k = 0; k < d.singular.conditions.size(); ++k)
-        s += (k == 0 ? "" : ",\\ ") + d.singular.conditions[k].pretty(Polynomial::Style::latex);
-      s += "$.\n";
-    }
+    s += tex_singular(d.singular);
   }
   return s;
 }
@@ -290,6 +409,29 @@ std::string to_markdown(const Derivation& d) {
       out << "| " << i << " | `" << a.coefficient(i).to_string() << "` |\n";
     out << "\n";
   };
+  if (d.quasi) {
+    const QuasiSpline& s = *d.quasi;
+    out << "Reproduced: `" << s.reproduced.to_string() << "`, M = " << s.terms() << ".\n\n";
+    out << "## Exponential B-spline beta\n\n";
+    table("beta", s.beta);
+    out << "## System (Newton basis)\n\n`" << quasi_condition(s)
+        << "`, x = z + 1/z\n\n| node | row | F | w |\n|---|---|---|---|\n";
+    for (size_t r = 0; r < s.nodes.size(); ++r) {
+      out << "| `" << s.nodes[r].pretty() << "` |";
+      for (size_t m = 0; m <= r; ++m) out << " `" << s.matrix[r][m].to_string() << "`";
+      out << " | `" << s.rhs[r].to_string() << "` | `" << s.solution[r].to_string() << "` |\n";
+    }
+    out << "\ndet = `" << s.determinant.to_string() << "`\n\n## q\n\n";
+    table("q", s.q);
+    if (d.factor) {
+      out << "## Factor of this scheme\n\n";
+      table("f", *d.factor);
+    }
+    out << "## Mask\n\n";
+    table("a", *d.mask);
+    out << "Singular: " << singular_text(d.singular) << "\n";
+    return out.str();
+  }
   out << "## Approximating scheme sigma\n\n";
   table("sigma", d.sigma);
   if (d.interpolating) {
@@ -304,6 +446,10 @@ std::string to_markdown(const Derivation& d) {
     table("omega", d.interpolating->system.omega);
     out << "## Interpolating scheme zeta\n\n";
     table("zeta", d.interpolating->zeta);
+  }
+  if (d.mask) {
+    out << "## Mask of the scheme\n\n";
+    table("a", *d.mask);
   }
   if (d.arity == 2) out << "Singular: " << singular_text(d.singular) << "\n";
   return out.str();

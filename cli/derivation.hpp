@@ -8,6 +8,7 @@
 #include <string>
 
 #include "twoscale/symbolic/interpolatory.hpp"
+#include "twoscale/symbolic/quasi_spline.hpp"
 #include "twoscale/symbolic/scheme.hpp"
 
 namespace twoscale::cli {
@@ -26,9 +27,15 @@ struct Derivation {
     Laurent zeta;
   };
   std::optional<Interpolating> interpolating;
+  // For schemes that were asked to reproduce a part of the space: the way to the quasi-spline.
+  std::optional<QuasiSpline> quasi;
+  std::optional<Laurent> factor;  // mask/beta, if it is not the q of `quasi`
+  std::optional<Laurent> mask;    // of the scheme itself, if it is neither sigma nor zeta
 };
 
 Derivation derive(const Space& space, int arity, std::string scheme);
+// Required: the scheme is made from a space.
+Derivation derive(const Scheme& scheme);
 
 nlohmann::ordered_json to_json(const Derivation& d);
 std::string to_text(const Derivation& d);

@@ -22,23 +22,20 @@ void add_derive_command(CLI::App& app, Session& session) {
   c->callback([&session, o] {
     session.action = [&session, o] {
       if (o->scheme.empty() == o->space.empty()) bad_input("derive: give either a scheme or --space");
-      Space space;
-      int arity = o->arity;
-      std::string name;
+      Derivation d;
       if (o->space.empty()) {
         const Scheme scheme = make_scheme(o->scheme);
         if (!scheme.space) bad_input("derive: the scheme is not made from a space", scheme.id);
-        space = *scheme.space;
-        if (scheme.arity != 2) arity = scheme.arity;
-        name = scheme.id;
+        d = derive(scheme);
       } else {
-        space = Space::parse(o->space);
-        const bool interpolating = arity == 2 && space.dimension() % 2 == 0;
-        name = SchemeName{interpolating ? "interpolating" : "exponential-bspline", {{"space", space.to_string()}}}
-                   .to_string();
-        if (arity != 2) name += ",arity=" + std::to_string(arity);
+        const Space space = Space::parse(o->space);
+        const bool interpolating = o->arity == 2 && space.dimension() % 2 == 0;
+        std::string name =
+            SchemeName{interpolating ? "interpolating" : "exponential-bspline", {{"space", space.to_string()}}}
+                .to_string();
+        if (o->arity != 2) name += ",arity=" + std::to_string(o->arity);
+        d = derive(space, o->arity, name);
       }
-      const Derivation d = derive(space, arity, name);
       const std::string& f = session.common.format;
       deliver(session.common, f == "json"    ? to_json(d).dump(1)
                               : f == "latex" ? to_latex(d)

@@ -264,20 +264,20 @@ struct Zeros {
   bool complete = true;                            // false: a zero that is no cosine of a rational angle may be left
 };
 
-// Zeros of the irreducible f(x) on the domain, x = cosh(theta/(h m^{k+1})): x > cos(pi/(h m^{k+1})) at level k.
-void add_zeros(const Polynomial& f, long m, long h, Zeros& zeros) {
+// Zeros of the irreducible f(v) on the domain: v > cos(pi/m^{k+1}) at level k.
+void add_zeros(const Polynomial& f, long m, Zeros& zeros) {
   if (f.positive_zeros() == 0) return;
   const auto degree = static_cast<unsigned>(f.total_degree());
   const std::string& x = f.variables()[0];
   for (unsigned d = 1; d <= 8 * degree * degree + 8; ++d) {
     if (totient(d) != (d <= 2 ? 1 : 2 * degree) || !(Polynomial::cosine_minimal(x, d) == f)) continue;
     if (d <= 2) break;  // x = 1 is v^0 = 1 at every level: no exception of this form
-    for (long step = m; 2 * h * step < static_cast<long>(d); step *= m) {
+    for (long step = m; 2 * step < static_cast<long>(d); step *= m) {
       unsigned level = 0;
       for (long s = step; s > m; s /= m) ++level;
-      for (long j = 1; 2 * h * step * j < static_cast<long>(d); ++j)
+      for (long j = 1; 2 * step * j < static_cast<long>(d); ++j)
         if (std::gcd(j, static_cast<long>(d)) == 1)
-          zeros.values.emplace(Rational(2 * h * step * j, static_cast<long>(d)), level);
+          zeros.values.emplace(Rational(2 * step * j, static_cast<long>(d)), level);
     }
     return;
   }
@@ -289,11 +289,11 @@ struct Exceptions {
   Zeros zeros;
   std::set<std::string> conditions;
   bool by_condition = false;
-  void add(const RationalFunction::Factors& factors, const Mask& mask, long h) {
+  void add(const RationalFunction::Factors& factors, const Mask& mask) {
     by_condition = mask.data().levels.size() != 1 || !mask.data().constants.empty();
     for (const auto& [f, e] : factors) {
       if (!by_condition) {
-        add_zeros(f, mask.arity(), h, zeros);
+        add_zeros(f, mask.arity(), zeros);
         continue;
       }
       const bool level_only = std::none_of(f.variables().begin(), f.variables().end(), [&](const auto& n) {
@@ -485,39 +485,39 @@ class Prover {
       d.evidence["space"] = space_json(mask_, half);
       return refute_generation(std::move(d), *bad, "generation-stepwise", true);
     }
-    // a(z_n) must not vanish: z^{-c} a(z) = sum N_i T_{n(i-c)}(v), in u with v = T_2(u) when 2cn is odd.
+    // a(z_n) must not vanish. z^{-c} a(z) = sum N_i cosh(n (i - c) phi) for v = cosh(phi), a polynomial in v; when 2cn
+    // is odd, after division by cosh(phi/2), which is positive on the domain.
     Exceptions exceptions;
     exceptions.by_condition = mask_.data().levels.size() != 1 || !mask_.data().constants.empty();
     bool decided = true;
+    const long twice_centre = mask_.lowest() + mask_.highest();
+    bool is_symmetric = true;
+    for (long i = mask_.lowest(); i <= mask_.highest(); ++i)
+      is_symmetric = is_symmetric && mask_.numerator(i) == mask_.numerator(twice_centre - i);
     for (const auto& f : half) {
       Polynomial p;
-      long h = 1;
       if (f.multiple == 0) {
         for (const auto& n : mask_.data().numerators) p += n;
-      } else {
-        const long twice_centre = mask_.lowest() + mask_.highest();
-        bool is_symmetric = true;
-        for (long i = mask_.lowest(); i <= mask_.highest(); ++i)
-          is_symmetric = is_symmetric && mask_.numerator(i) == mask_.numerator(twice_centre - i);
-        const std::string& name = mask_.data().levels[f.variable].name;
-        h = (f.multiple * twice_centre) % 2 == 0 ? 1 : 2;
-        if (!is_symmetric || (h == 2 && exceptions.by_condition)) {
-          decided = false;
-          break;
-        }
+      } else if (is_symmetric) {
+        const Polynomial v = Polynomial::variable(mask_.data().levels[f.variable].name);
+        const bool odd = (f.multiple * twice_centre) % 2 != 0;
+        std::vector<Polynomial> cosines{1, odd ? v + v - Polynomial(1) : v};  // of h phi; of (2h+1) phi/2, divided
         for (long i = mask_.lowest(); i <= mask_.highest(); ++i) {
-          Polynomial n = mask_.numerator(i);
-          if (h == 2) n = n.substitute(name, Polynomial::chebyshev(name, 2));
-          const long degree = std::labs(f.multiple * (2 * i - twice_centre)) * h / 2;
-          p += n * Polynomial::chebyshev(name, static_cast<unsigned>(degree));
+          const auto h = static_cast<size_t>(std::labs(f.multiple * (2 * i - twice_centre)) / 2);
+          while (cosines.size() <= h)
+            cosines.push_back(Polynomial(2) * v * cosines.back() - cosines[cosines.size() - 2]);
+          p += mask_.numerator(i) * cosines[h];
         }
+      } else {
+        decided = false;
+        break;
       }
       if (p.is_zero()) {
         decided = false;
         d.witness = "a(z) vanishes identically at " + function_text(mask_, f, 0);
         break;
       }
-      exceptions.add(p.factor().factors, mask_, h);
+      exceptions.add(p.factor().factors, mask_);
     }
     if (!decided || !exceptions.zeros.complete) {
       d.verdict = Verdict::undecided;
@@ -626,7 +626,7 @@ class Prover {
     Decision d = start("well-defined", "");
     Exceptions exceptions;
     exceptions.by_condition = mask_.data().levels.size() != 1 || !mask_.data().constants.empty();
-    exceptions.add(mask_.denominator_factors(), mask_, 1);
+    exceptions.add(mask_.denominator_factors(), mask_);
     if (!exceptions.zeros.complete) {
       d.verdict = Verdict::undecided;
       d.witness = "a denominator has a zero on the domain that is no cosine of a rational angle: " +

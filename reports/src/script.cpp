@@ -84,6 +84,17 @@ std::size_t letters(const std::string& s) {
       std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
+// The title on one line: a long one (the name of a scheme with its spaces) in smaller letters, then cut.
+std::string title_line(const Picture& p, ImageFormat format) {
+  const auto fitting = static_cast<std::size_t>(p.width / 7);  // at the font's own size
+  const std::size_t length = letters(p.title);
+  if (length <= fitting) return quoted(p.title);
+  const double size = format == ImageFormat::pdf ? 9 : 12;
+  const double scale = std::max(0.5, static_cast<double>(fitting) / static_cast<double>(length));
+  const std::string text = length <= 2 * fitting ? p.title : p.title.substr(0, 2 * fitting - 3) + "...";
+  return quoted(text) + fmt::format(" font 'sans-serif,{:.1f}'", size * scale);
+}
+
 // The legend below the axes: entries a row, and rows.
 struct Legend {
   int columns = 0;
@@ -197,7 +208,7 @@ std::string gnuplot_script(const Picture& picture, ImageFormat format) {
        "nomirror\n";
   s += plane(p, left, right, top, bottom);
   if (space) s += labels_of(frame);
-  if (!p.title.empty()) s += "set title " + quoted(p.title) + "\n";
+  if (!p.title.empty()) s += "set title " + title_line(p, format) + "\n";
   if (!p.x_label.empty()) s += "set xlabel " + quoted(p.x_label) + " offset 0,0.4\n";
   if (!p.y_label.empty()) s += "set ylabel " + quoted(p.y_label) + "\n";
   if (key.rows == 0)

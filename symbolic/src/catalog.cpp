@@ -41,6 +41,7 @@ std::vector<CatalogEntry> build_catalog() {
   std::vector<CatalogEntry> list;
   families::add_bsplines(list);
   families::add_interpolating(list);
+  families::add_quasi_splines(list);
   families::add_mask(list);
   return list;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "newton_quotient.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale {
@@ -23,26 +24,6 @@ size_t half_dimension(const Space& space) {
         space.to_string());
   return n / 2;
 }
-
-// All sums w_i + w_j, factored and expanded once.
-class Sums {
- public:
-  explicit Sums(const Space& space) : space_(space), nodes_(nodes(space)) {}
-
-  const FactoredPolynomial& factored(size_t i, size_t j) {
-    const auto key = std::pair(label(std::min(i, j)), label(std::max(i, j)));
-    auto at = factored_.find(key);
-    if (at == factored_.end()) at = factored_.emplace(key, sum_of_nodes(space_, nodes_[i], nodes_[j])).first;
-    return at->second;
-  }
-
- private:
-  std::pair<size_t, unsigned> label(size_t i) const { return {nodes_[i].variable, nodes_[i].multiple}; }
-
-  const Space& space_;
-  std::vector<Node> nodes_;
-  std::map<std::pair<std::pair<size_t, unsigned>, std::pair<size_t, unsigned>>, FactoredPolynomial> factored_;
-};
 
 // prod (2 + gamma_i) = prod 2 (1 + w_i): sigma(z) = 2 prod (z^2 + gamma_i z + 1) / this.
 FactoredPolynomial normalisation(const Space& space) {
@@ -92,54 +73,17 @@ Laurent interpolating_symbol_by_divided_differences(const Space& space) {
   const size_t l = half_dimension(space);
   const std::vector<Node> node = nodes(space);
   const std::vector<Polynomial> w = cosh_nodes(space);
-  // Divided differences of u^{-1/2} at w_i^2, .., w_j^2 are N_{ij} / (prod w prod_{a<b} (w_a + w_b)), all over i..j:
-  //   equal nodes (n+1 of them): N = C(-1/2, n) 2^{n(n+1)/2} w^{n(n-1)/2};
-  //   else N_{ij} (w_j - w_i) = N_{i+1,j} w_i prod_{i<b<j} (w_i + w_b) - N_{i,j-1} w_j prod_{i<a<j} (w_a + w_j).
-  // The first is a fraction with denominator 2^n n! / ..: scale it out by keeping N as a polynomial over an integer.
-  std::vector<RationalFunction> row(l), next;  // row[i] = N_{i,i+n}
-  std::vector<RationalFunction> newton(l);     // N_{0,n}
-  for (size_t i = 0; i < l; ++i) row[i] = 1;
-  newton[0] = 1;
-  // left[i] = prod_{i<b<j} (w_i + w_b), right[i] = prod_{i<a<j} (w_a + w_j) for j = i + n, grown with n.
-  std::vector<Polynomial> left(l, Polynomial(1)), right(l, Polynomial(1));
-  for (size_t n = 1; n < l; ++n) {
-    next.assign(l - n, 0);
-    for (size_t i = 0; i + n < l; ++i) {
-      const size_t j = i + n;
-      if (n >= 2) left[i] *= w[i] + w[j - 1];
-      right[i] = 1;
-      for (size_t a = i + 1; a < j; ++a) right[i] *= w[a] + w[j];
-      if (node[i] == node[j]) {
-        const long d = static_cast<long>(n);
-        const Rational c =
-            Rational::binomial(Rational(-1, 2), static_cast<unsigned>(n)) * Rational(2).pow(d * (d + 1) / 2);
-        next[i] = RationalFunction(c) * RationalFunction(w[i].pow(static_cast<unsigned>(d * (d - 1) / 2)));
-        continue;
-      }
-      const Rational scale = row[i + 1].denominator_content() * row[i].denominator_content() /
-                             gcd(row[i + 1].denominator_content(), row[i].denominator_content());
-      const Polynomial top =
-          row[i + 1].numerator() * integer_polynomial(scale / row[i + 1].denominator_content()) * w[i] * left[i] -
-          row[i].numerator() * integer_polynomial(scale / row[i].denominator_content()) * w[j] * right[i];
-      next[i] = RationalFunction::over_factors(Polynomial::exact_quotient(top, w[j] - w[i]), scale, {});
-    }
-    row = next;
-    newton[n] = row[0];
-  }
-  // Q(u) = sum_n newton[n]/D_n prod_{i<n} (u - w_i^2), D_n = D_{n-1} w_n prod_{i<n} (w_i + w_n): Horner over D_{l-1}.
-  Sums sums(space);
+  const NewtonData data = inverse_root_data(node, w);  // in x = 4u - 2
+  // Q(u) = sum_n 4^n [x_0..x_n] prod_{i<n} (u - w_i^2), [x_0..x_n] = numerator_n/(scale D_n), D_n = prod_{i<=n}
+  // ratio_i: Horner over D_{l-1}.
+  NodeSums sums(space);
   FactoredPolynomial denominator;
-  std::vector<Polynomial> ratio(l);
   for (size_t n = 0; n < l; ++n) {
-    FactoredPolynomial r = sums.factored(n, n);  // 2 w_n
+    FactoredPolynomial r = sums(node[n], node[n]);  // 2 w_n
     r.content /= Rational(2);
-    for (size_t i = 0; i < n; ++i) r.multiply(sums.factored(i, n));
-    ratio[n] = w[n];
-    for (size_t i = 0; i < n; ++i) ratio[n] *= w[i] + w[n];
+    for (size_t i = 0; i < n; ++i) r.multiply(sums(node[i], node[n]));
     denominator.multiply(r);
   }
-  Rational content = 1;
-  for (const auto& c : newton) content = content * c.denominator_content() / gcd(content, c.denominator_content());
   std::vector<Polynomial> q(l);
   Polynomial tail = 1;  // D_{l-1} / D_n
   size_t length = 0;
@@ -151,10 +95,10 @@ Laurent interpolating_symbol_by_divided_differences(const Space& space) {
       q[0] = Polynomial(0) - q[0] * square;
     }
     ++length;
-    q[0] += newton[n].numerator() * integer_polynomial(content / newton[n].denominator_content()) * tail;
-    tail *= ratio[n];
+    q[0] += data.numerator[n] * integer_polynomial(Rational(4).pow(static_cast<long>(n))) * tail;
+    tail *= data.ratio[n];
   }
-  const Rational scale = Rational(2) * Rational(4).pow(static_cast<long>(l) - 1) * content * denominator.content;
+  const Rational scale = Rational(2) * Rational(4).pow(static_cast<long>(l) - 1) * data.scale * denominator.content;
   std::vector<RationalFunction> odd;
   for (auto& a : cosine_coefficients(q)) {
     // scale may be a fraction: multiply both sides by its denominator.
@@ -264,15 +208,15 @@ std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
   }
   const Polynomial denominator_part = (q * power).scaled(4);
   if (n % 2 == 1) g = -g;
-  Sums sums(space);
+  NodeSums sums(space);
   const auto to_the = [](FactoredPolynomial f, long e) {
     f.content = f.content.pow(e);
     for (auto& [factor, exponent] : f.factors) exponent *= static_cast<unsigned>(e);
     return f;
   };
-  FactoredPolynomial denominator = sums.factored(simple, simple);  // 2 q (p + q)^n (2 p)^{2n-1}
-  denominator.multiply(to_the(sums.factored(simple, multiple), n));
-  denominator.multiply(to_the(sums.factored(multiple, multiple), 2 * n - 1));
+  FactoredPolynomial denominator = sums(node[simple], node[simple]);  // 2 q (p + q)^n (2 p)^{2n-1}
+  denominator.multiply(to_the(sums(node[simple], node[multiple]), n));
+  denominator.multiply(to_the(sums(node[multiple], node[multiple]), 2 * n - 1));
   const Rational content = denominator.content / Rational(2).pow(2 * n) * Rational(2).pow(4 * n - 1);
   const std::vector<std::pair<Polynomial, Polynomial>> parts = two_node_parts(n, p);
   std::vector<RationalFunction> odd;
@@ -347,64 +291,31 @@ HessenbergSystem hessenberg_system(const Space& space) {
   std::vector<Polynomial> w = cosh_nodes(space);
   for (const auto& x : w) h.nodes.push_back(Polynomial(2) * x);
   const auto& g = h.nodes;
-  // P(x) = prod (x + gamma_i), S = 2 P / prod (2 + gamma_i).
-  std::vector<Polynomial> p{Polynomial(1)};
-  for (size_t i = 0; i < l; ++i) {
-    p.push_back(1);
-    for (size_t j = p.size() - 2; j > 0; --j) p[j] = p[j - 1] + p[j] * g[i];
-    p[0] = p[0] * g[i];
-  }
-  // difference[m][r] = [gamma_m..gamma_r] P by repeated synthetic division: no quotient of differences, so equal nodes
-  // are no special case.
-  std::vector<std::vector<Polynomial>> difference(l, std::vector<Polynomial>(l));
-  for (size_t m = 0; m < l; ++m) {
-    std::vector<Polynomial> q = p;
-    for (size_t r = m; r < l; ++r) {
-      for (size_t j = q.size() - 1; j-- > 0;) q[j] += q[j + 1] * g[r];
-      difference[m][r] = q[0];
-      q.erase(q.begin());
-    }
-  }
+  // P(x) = prod (x + gamma_i), S = 2 P / prod (2 + gamma_i); every node is its own partner.
+  std::vector<std::optional<size_t>> partner;
+  for (size_t i = 0; i < l; ++i) partner.emplace_back(i);
+  const NewtonQuotient newton = newton_quotient(g, g, partner, constant_data(l));
   const FactoredPolynomial norm = normalisation(space);
   const auto scaled = [&](const Polynomial& d) {
     return RationalFunction::over_factors(Polynomial(2) * d, norm.content, norm.factors);
   };
   h.matrix.assign(l, std::vector<RationalFunction>(l));
   for (size_t r = 1; r < l; ++r)
-    for (size_t m = 0; m <= r; ++m) h.matrix[r - 1][m] = scaled(difference[m][r]);
+    for (size_t m = 0; m <= r; ++m) h.matrix[r - 1][m] = scaled(newton.difference[m][r]);
   h.matrix[l - 1][0] = 1;
-  // Forward substitution with known denominators: w_m = (prod (2 + gamma_i)) n_m / D_m, D_m = prod over pairs i <= j
-  // with i <= m of (gamma_i + gamma_j); n_m polynomials. S(gamma_0) w_0 = 2 gives n_0 = 1 over D_0 = prod_j (gamma_0 +
-  // gamma_j).
-  std::vector<std::vector<Polynomial>> sum(l, std::vector<Polynomial>(l));
-  for (size_t i = 0; i < l; ++i)
-    for (size_t j = 0; j < l; ++j) sum[i][j] = g[i] + g[j];
-  std::vector<Polynomial> tail(l, Polynomial(1));  // prod_{j>=i} (gamma_i + gamma_j)
-  for (size_t i = 0; i < l; ++i)
-    for (size_t j = i; j < l; ++j) tail[i] *= sum[i][j];
-  std::vector<Polynomial> n(l);
-  n[0] = 1;
-  for (size_t r = 1; r < l; ++r) {
-    Polynomial s;
-    Polynomial between = 1;  // prod_{m<i<r} tail[i]
-    for (size_t m = r; m-- > 0;) {
-      s += difference[m][r] * n[m] * between;
-      between *= tail[m];
-    }
-    Polynomial d = 1;
-    for (size_t j = 0; j < r; ++j) d *= sum[j][r];
-    n[r] = Polynomial(0) - Polynomial::exact_quotient(s, d);
-  }
-  Sums sums(space);
+  // w_m = (prod (2 + gamma_i)) n_m / D_m, D_m = prod over pairs i <= j with i <= m of (gamma_i + gamma_j).
+  const std::vector<Node> node = nodes(space);
+  NodeSums sums(space);
   FactoredPolynomial denominator;
   const Polynomial scale = norm.expanded();
   h.solution.resize(l);
   for (size_t m = 0; m < l; ++m) {
     for (size_t j = m; j < l; ++j) {
-      denominator.multiply(sums.factored(m, j));
+      denominator.multiply(sums(node[m], node[j]));
       denominator.content *= Rational(2);
     }
-    h.solution[m] = RationalFunction::over_factors(n[m] * scale, denominator.content, denominator.factors);
+    h.solution[m] =
+        RationalFunction::over_factors(newton.numerator[m] * scale, denominator.content, denominator.factors);
   }
   h.rhs.assign(l, 0);
   h.rhs[l - 1] = h.solution[0];
@@ -412,27 +323,13 @@ HessenbergSystem hessenberg_system(const Space& space) {
   for (size_t r = 1; r < l; ++r) {
     FactoredPolynomial f;  // S(gamma_r) = 2 prod_j (gamma_r + gamma_j) / norm
     for (size_t j = 0; j < l; ++j) {
-      f.multiply(sums.factored(r, j));
+      f.multiply(sums(node[r], node[j]));
       f.content *= Rational(2);
     }
     h.determinant *= RationalFunction::over_factors(f.expanded() * Polynomial(2), norm.content, norm.factors);
   }
-  // omega by Horner in the Newton basis over the last denominator; the products with scale are cancelled at the end.
-  std::vector<Polynomial> omega{Polynomial(0)};
-  Polynomial rest = 1;  // D_{l-1}/D_m
-  for (size_t m = l; m-- > 0;) {
-    if (m + 1 < l) {  // omega <- omega * (z - gamma_m + 1/z), kept as coefficients of z^{-d}..z^{d}
-      std::vector<Polynomial> next(omega.size() + 2);
-      for (size_t i = 0; i < omega.size(); ++i) {
-        next[i] += omega[i];
-        next[i + 1] -= g[m] * omega[i];
-        next[i + 2] += omega[i];
-      }
-      omega = std::move(next);
-    }
-    omega[omega.size() / 2] += n[m] * rest;
-    rest *= tail[m];
-  }
+  // omega over the last denominator; the products with scale are cancelled at the end.
+  const std::vector<Polynomial> omega = newton_expansion(g, newton.numerator, newton.tail);
   // omega has symmetric coefficients: reduce one half only.
   const size_t half = omega.size() / 2;
   std::vector<RationalFunction> c(omega.size());
@@ -494,10 +391,11 @@ Polynomial bareiss(std::vector<std::vector<Polynomial>>& a) {
 
 RationalFunction folded_determinant(const Space& space, const FoldedSystem& system) {
   const size_t l = system.matrix.size();
-  Sums sums(space);
+  const std::vector<Node> node = nodes(space);
+  NodeSums sums(space);
   FactoredPolynomial zeros;
   for (size_t i = 0; i < l; ++i)
-    for (size_t j = i; j < l; ++j) zeros.multiply(sums.factored(i, j));
+    for (size_t j = i; j < l; ++j) zeros.multiply(sums(node[i], node[j]));
   const FactoredPolynomial norm = normalisation(space);
   // Rows 1..l-1 carry one 1/norm each, the last one too unless it is (2,..,2,1) = the sum of all rows, whose entries
   // are free of it; then one factor S(2) = 2 is the constant's.
@@ -563,7 +461,6 @@ std::string cosine_text(const Rational& angle) {
 std::string SingularSet::Value::exact() const { return cosine_text(angle); }
 
 SingularSet singular_set(const Space& space) {
-  SingularSet s;
   const std::vector<Node> node = nodes(space);
   const bool even = space.dimension() % 2 == 0;
   // Sums whose vanishing stops a step: w_i + w_j for the interpolating scheme; 1 + w_i, the normalisation, for sigma
@@ -575,6 +472,11 @@ SingularSet singular_set(const Space& space) {
     else
       sums.emplace_back(node[i], Node{0, 0});
   }
+  return zeros_of_sums(space, sums);
+}
+
+SingularSet zeros_of_sums(const Space& space, const std::vector<std::pair<Node, Node>>& sums) {
+  SingularSet s;
   if (space.variables().size() == 1) {
     // v^{k+1} = cos(phi), phi < pi/2^{k+1}: cos(a phi) + cos(b phi) = 0 iff (a + b) phi or (a - b) phi is an odd
     // multiple of pi. Then v^0 = cos(2^{k+1} phi).

@@ -25,6 +25,7 @@ Space polynomials(unsigned order);
 // Each appends the entries of its file.
 void add_bsplines(std::vector<CatalogEntry>& list);
 void add_interpolating(std::vector<CatalogEntry>& list);
+void add_quasi_splines(std::vector<CatalogEntry>& list);
 void add_mask(std::vector<CatalogEntry>& list);
 
 }  // namespace twoscale::families

@@ -86,6 +86,8 @@ struct SingularSet {
   std::vector<Polynomial> conditions;
 };
 SingularSet singular_set(const Space& space);
+// Where on the domain one of the sums w_a + w_b (a = b: 2 w_a) vanishes.
+SingularSet zeros_of_sums(const Space& space, const std::vector<std::pair<Node, Node>>& sums);
 // cos(angle*pi) as an expression: "0", "1/2", "-1/2" or "cos(4*pi/5)".
 std::string cosine_text(const Rational& angle);
 

@@ -54,9 +54,10 @@ struct Scheme {
   int arity = 2;
   int block = 1;
   std::vector<Parameter> parameters;
-  std::vector<Stencil> phases;  // arity of them
-  Rational shift;               // p: parameters t^k_j = (j + p)/m^k
-  std::optional<Space> space;   // the space it was built from, in the level variables of `parameters`
+  std::vector<Stencil> phases;      // arity of them
+  Rational shift;                   // p: parameters t^k_j = (j + p)/m^k
+  std::optional<Space> space;       // the space it was built from, in the level variables of `parameters`
+  std::optional<Space> reproduced;  // the part of it that the recipe asked to be reproduced, if it did
   std::vector<Claim> claims;
 
   // A scalar uniform scheme from its symbol; p is (a'(1)/a(1))/(m-1), which is c/(m-1) for a mask symmetric about c.
