@@ -261,7 +261,8 @@ unsigned totient(unsigned n) {
 
 struct Zeros {
   std::set<std::pair<Rational, unsigned>> values;  // (angle, level): v^0 = cos(angle pi)
-  bool complete = true;                            // false: a zero that is no cosine of a rational angle may be left
+  std::set<std::string> others;                    // factors with a zero that is no cosine of a rational angle
+  bool complete = true;                            // false: whether a factor vanishes on the domain was not decided
 };
 
 // Zeros of the irreducible f(v) on the domain: v > cos(pi/m^{k+1}) at level k.
@@ -269,9 +270,8 @@ void add_zeros(const Polynomial& f, long m, Zeros& zeros) {
   if (f.positive_zeros() == 0) return;
   const auto degree = static_cast<unsigned>(f.total_degree());
   const std::string& x = f.variables()[0];
-  for (unsigned d = 1; d <= 8 * degree * degree + 8; ++d) {
-    if (totient(d) != (d <= 2 ? 1 : 2 * degree) || !(Polynomial::cosine_minimal(x, d) == f)) continue;
-    if (d <= 2) break;  // x = 1 is v^0 = 1 at every level: no exception of this form
+  for (unsigned d = 3; d <= 8 * degree * degree + 8; ++d) {
+    if (totient(d) != 2 * degree || !(Polynomial::cosine_minimal(x, d) == f)) continue;
     for (long step = m; 2 * step < static_cast<long>(d); step *= m) {
       unsigned level = 0;
       for (long s = step; s > m; s /= m) ++level;
@@ -281,7 +281,14 @@ void add_zeros(const Polynomial& f, long m, Zeros& zeros) {
     }
     return;
   }
-  zeros.complete = false;
+  // The domain of level 0, which contains all others: v > cos(pi/m), 0 for m = 2, 1/2 for m = 3.
+  if (m > 3) {
+    zeros.complete = false;
+    return;
+  }
+  const RationalFunction shifted = RationalFunction(f).substitute(
+      x, RationalFunction::variable(x) + RationalFunction(m == 2 ? Rational(0) : Rational(1, 2)));
+  if (shifted.numerator().positive_zeros() > 0) zeros.others.insert(f.to_string());
 }
 
 // What the set of exceptions is: v^0 and level, or conditions when several variables or constants are involved.
@@ -318,6 +325,7 @@ struct Exceptions {
       for (const unsigned level : levels)
         a.push_back(Json::object({{"level", level}, {"angle", first->first.to_string()}}));
     }
+    for (const auto& c : zeros.others) a.push_back(Json::object({{"condition", c}}));
     return a;
   }
   std::vector<std::string> text() const {
@@ -629,7 +637,7 @@ class Prover {
     exceptions.add(mask_.denominator_factors(), mask_);
     if (!exceptions.zeros.complete) {
       d.verdict = Verdict::undecided;
-      d.witness = "a denominator has a zero on the domain that is no cosine of a rational angle: " +
+      d.witness = "a denominator may have a zero on the domain that is no cosine of a rational angle: " +
                   mask_.denominator().to_string();
       return d;
     }

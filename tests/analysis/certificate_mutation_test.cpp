@@ -127,7 +127,11 @@ TEST_P(Mutation, AChangedClaimIsRefusedEvenSealedAnew) {
 INSTANTIATE_TEST_SUITE_P(Certificates, Mutation,
                          testing::Values("interpolating:family=mixed,l=3", "interpolating:family=harmonic,l=3",
                                          "dd:l=2", "mixed:n=2",
-                                         "interpolating:space=\"1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\""));
+                                         "interpolating:space=\"1,x,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\"",
+                                         // dual, in half the frequency; an exception that is a zero of a polynomial
+                                         "dual:space=\"1,x,exp(t*x),exp(-t*x)\"",
+                                         "quasi-spline:space=\"1,x,cos(s*x),sin(s*x),x*cos(s*x),x*sin(s*x)\",reproduce="
+                                         "\"cos(s*x),sin(s*x),x*cos(s*x),x*sin(s*x)\""));
 
 }  // namespace
 }  // namespace twoscale::analysis

@@ -194,7 +194,7 @@ TEST(QuasiSpline, PseudoSplinesAreTheStationaryMembers) {
       -1, {RationalFunction(Rational(-1, 4)), RationalFunction(Rational(1, 2)), RationalFunction(Rational(-1, 4))});
   const Laurent one = Laurent::monomial(0);
   for (unsigned n = 1; n <= 9; ++n)
-    for (unsigned l = 0; 2 * l < n + 1; ++l) {
+    for (unsigned l = 0; 2 * l + 1 <= n; ++l) {
       const std::string name = "pseudo-spline:order=" + std::to_string(n) + ",l=" + std::to_string(l);
       Laurent taylor, shen;
       Laurent power = one;

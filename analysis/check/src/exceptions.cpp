@@ -68,7 +68,8 @@ Exceptions::Exceptions(const Value& value, const Certificate& certificate, const
   if (items.size() > limits::list_items) throw Malformed(where + ": more than 4096 exceptions");
   for (std::size_t i = 0; i < items.size(); ++i) {
     Fields item(items[i], where + "[" + std::to_string(i) + "]");
-    if (certificate.single_level()) {
+    if (certificate.single_level() && item.next_is("level")) {
+      if (!conditions_.empty()) throw Malformed(item.path("level") + ": values come before conditions");
       const Angle next = read_angle(item, meter);
       if (i > 0) {  // angle descending, then level ascending
         const Angle& last = angles_.back();
@@ -90,9 +91,12 @@ Exceptions::Exceptions(const Value& value, const Certificate& certificate, const
           content(condition, meter) != 1) {
         throw Malformed(path + ": a primitive polynomial with positive leading coefficient is expected");
       }
-      if (i > 0 && !(conditions_.back().text < text))
+      if (!conditions_.empty() && !(conditions_.back().text < text))
         throw Malformed(path + ": conditions must be distinct and sorted");
-      if (common_sign(condition, certificate.constants) != 0) throw Refused(path + ": cannot vanish on the domain");
+      const bool can_vanish = certificate.single_level()
+                                  ? has_zero_beyond_cos(dense(condition), certificate.arity, meter)
+                                  : common_sign(condition, certificate.constants) == 0;
+      if (!can_vanish) throw Refused(path + ": cannot vanish on the domain");
       conditions_.push_back({text, std::move(condition)});
     }
     item.done();
@@ -129,6 +133,12 @@ void Exceptions::single(Dense p, const std::string& what) {
         });
         if (!listed) throw Refused(what + " also vanishes for " + text_of(zero) + ", which is not listed");
       }
+    }
+  }
+  for (Condition& condition : conditions_) {
+    while (auto rest = quotient(p, dense(condition.polynomial), meter_)) {
+      p = std::move(*rest);
+      condition.used = true;
     }
   }
   if (has_zero_beyond_cos(p, certificate_.arity, meter_)) {

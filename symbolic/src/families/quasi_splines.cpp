@@ -197,7 +197,8 @@ void add_quasi_splines(std::vector<CatalogEntry>& list) {
         "quasi-spline:space=\"1,exp(s*x),exp(-s*x),exp(t*x),exp(-t*x)\",reproduce=\"exp(s*x),exp(-s*x),exp(t*x),exp(-t*"
         "x)"
         "\"",
-        "quasi-spline:space=\"1,x,cos(s*x),sin(s*x),x*cos(s*x),x*sin(s*x)\",reproduce=\"1,x,cos(s*x),sin(s*x)\"",
+        "quasi-spline:space=\"1,x,cos(s*x),sin(s*x),x*cos(s*x),x*sin(s*x)\",reproduce=\"cos(s*x),sin(s*x),x*cos(s*x),x*"
+        "sin(s*x)\"",
         "quasi-spline:space=\"1,x,x^2,exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)\",reproduce=\"1,x,exp(2*t*x),exp(-2*t*"
         "x)\""},
        quasi_spline_recipe});
@@ -205,7 +206,7 @@ void add_quasi_splines(std::vector<CatalogEntry>& list) {
                   "stationary pseudo-spline: the quasi-spline of polynomials",
                   "Dong and Shen 2007; Dyn, Hormann, Sabin and Shen 2008",
                   {{"order", "N, the number of factors 1 + z; even: primal, odd: dual", true},
-                   {"l", "degree of the other factor in z + 1/z, 0 <= l < (N+1)/2", true}},
+                   {"l", "degree of the other factor in z + 1/z, 0 <= l <= (N-1)/2", true}},
                   {"pseudo-spline:order=4,l=0", "pseudo-spline:order=6,l=1", "pseudo-spline:order=5,l=1",
                    "pseudo-spline:order=6,l=2", "pseudo-spline:order=5,l=2"},
                   pseudo_spline});
