@@ -112,6 +112,12 @@ TEST_P(Mutation, AChangedClaimIsRefusedEvenSealedAnew) {
         EXPECT_FALSE(accepted(resealed(more))) << claim;
       }
     if (claim.contains("exceptions"))
+      for (const char* condition : {"v+1", "v-5"}) {  // cannot vanish on the domain; is no zero of what is claimed
+        Json more = doc;
+        more["claims"][i]["exceptions"].push_back(Json::object({{"condition", condition}}));
+        EXPECT_FALSE(accepted(resealed(more))) << claim;
+      }
+    if (claim.contains("exceptions"))
       for (size_t j = 0; j < claim["exceptions"].size(); ++j) {
         Json fewer = doc;
         fewer["claims"][i]["exceptions"].erase(j);
