@@ -117,6 +117,16 @@ class Curves(ProgramTest):
         points = self.refined('quasi-spline:space="1,x,cos(t*x),sin(t*x)",reproduce="1,x"', "--at", "t=pi/2")
         self.assertLess(max(math.hypot(*p) for p in points), 0.9)
 
+    def test_fit_names_the_lowest_frequency(self):
+        """Samples belong to cos(t) for a dual scheme too, whose v^0 is cos(t/2)."""
+        with tempfile.TemporaryDirectory() as directory:
+            file = os.path.join(directory, "in.csv")
+            with open(file, "w", encoding="utf-8") as f:
+                f.writelines(f"{math.cos((j + .5) / 2)!r},{math.sin((j + .5) / 2)!r}\n" for j in range(12))
+            d = self.twoscale_json("fit", 'dual:space="1,x,cos(t*x),sin(t*x)"', file)
+        self.assertAlmostEqual(float(d["v0"]), math.cos(.25), 12)
+        self.assertAlmostEqual(float(d["t"]), .25, 12)
+
     def test_tables(self):
         d = self.twoscale_json("table", f'quasi-spline:space="{FOUR}",tension=w', "--at", "w=1/2,v0=1", "--levels", "1",
                                "--digits", "20")

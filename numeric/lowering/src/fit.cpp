@@ -7,6 +7,7 @@
 #include <flint/fmpz_poly_factor.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "rounding.hpp"
@@ -198,12 +199,38 @@ std::string frequency(const Ball& v0, bool cosines) {
   return kernels::shortest(arf_get_d(arb_midref(angle.raw()), ARF_RND_NEAR)) + (hyperbolic == cosines ? "*I" : "");
 }
 
+// The largest v > -1 with T_g(v) = w, that is the lowest frequency: cosh(acosh(w)/g).
+Ball lowest_frequency(const Ball& w, unsigned g) {
+  if (g == 1) return w;
+  Ball offset, v;
+  arb_sub_ui(offset.raw(), w.raw(), 1, root_bits);
+  if (offset.is_positive()) {
+    arb_acosh(v.raw(), w.raw(), root_bits);
+    arb_div_ui(v.raw(), v.raw(), g, root_bits);
+    arb_cosh(v.raw(), v.raw(), root_bits);
+  } else if (offset.is_negative()) {
+    arb_acos(v.raw(), w.raw(), root_bits);
+    arb_div_ui(v.raw(), v.raw(), g, root_bits);
+    arb_cos(v.raw(), v.raw(), root_bits);
+  } else {
+    arb_one(v.raw());
+  }
+  return v;
+}
+
 }  // namespace
 
-Fit fit(const Space& space, const kernels::PointSet& points, bool closed, const std::string& tolerance) {
-  if (space.variables().empty()) bad_input("the space has no frequency to fit", space.to_string());
-  if (space.variables().size() > 1) bad_input("the space has several frequencies, a fit needs one", space.to_string());
-  if (space.variables()[0].value()) bad_input("the frequency of the space is fixed", space.variables()[0].frequency());
+Fit fit(const Space& given, const kernels::PointSet& points, bool closed, const std::string& tolerance) {
+  if (given.exponentials().empty()) bad_input("the space has no frequency to fit", given.to_string());
+  if (given.variables().size() > 1) bad_input("the space has several frequencies, a fit needs one", given.to_string());
+  if (given.variables()[0].value()) bad_input("the frequency of the space is fixed", given.variables()[0].frequency());
+  // Several v^0 belong to the same samples if all multiples have a common factor g (dual schemes in half a frequency):
+  // the fit is for T_g(v^0), and the lowest frequency is named.
+  unsigned g = 0;
+  for (const auto& e : given.exponentials()) g = std::gcd(g, e.multiple);
+  std::vector<std::pair<unsigned, unsigned>> multiples;
+  for (const auto& e : given.exponentials()) multiples.emplace_back(e.multiple / g, e.order);
+  const Space space = Space::one_frequency(given.polynomial_order(), multiples);
   const Rational limit = positive_rational(tolerance);
   const size_t needed = closed ? 3 : space.dimension() + 1;
   if (points.dim == 0 || points.size() < needed)
@@ -226,11 +253,12 @@ Fit fit(const Space& space, const kernels::PointSet& points, bool closed, const 
     }
     const auto best = best_candidate(r, points.dim);
     if (!best) continue;
+    const Ball v0 = lowest_frequency(best->v0, g);
     const bool fits = to_rational(best->spread) <= limit;
     if (!fits && i + 1 < list.size()) continue;
     result.outcome = fits ? Fit::Outcome::found : Fit::Outcome::none;
-    result.v0 = kernels::shortest(arf_get_d(arb_midref(best->v0.raw()), ARF_RND_NEAR));
-    result.t = frequency(best->v0, space.variables()[0].trigonometric);
+    result.v0 = kernels::shortest(arf_get_d(arb_midref(v0.raw()), ARF_RND_NEAR));
+    result.t = frequency(v0, given.variables()[0].trigonometric);
     result.spread = rounded_up(best->spread);
     if (fits) return result;
   }
