@@ -91,7 +91,10 @@ NewtonQuotient newton_quotient(const std::vector<Polynomial>& g, const std::vect
     if (partner[i]) taken[*partner[i]] = true;
   }
   // w_n P(g_n) = [..]F - sum_{m<n} [g_m..g_n]P w_m, times D_{n-1} E_n; paired[n] = P(g_n) / tail[n].
-  Polynomial before = 1;  // D_{n-1}
+  size_t last = 0;  // beyond it [..]F = 0
+  for (size_t n = 0; n < count; ++n)
+    if (!data.numerator[n].is_zero()) last = n;
+  Polynomial before = 1;  // D_{n-1}, while it is needed
   for (size_t n = 0; n < count; ++n) {
     Polynomial s = data.numerator[n].is_zero() ? Polynomial(0) : data.numerator[n] * before;
     Polynomial between = data.ratio[n];  // (D_{n-1}/D_m)(E_n/E_m)
@@ -101,7 +104,7 @@ NewtonQuotient newton_quotient(const std::vector<Polynomial>& g, const std::vect
       if (!data.ratio[m].is_one()) between *= data.ratio[m];
     }
     r.numerator.push_back(Polynomial::exact_quotient(s, paired[n]));
-    before *= r.tail[n];
+    if (n < last) before *= r.tail[n];
   }
   return r;
 }
