@@ -116,6 +116,41 @@ RC_GTEST_PROP(QuasiSpline, ReproducesAllOfAnySpace, (const Space& space)) {
   RC_ASSERT(fault(space, space) == std::string());
 }
 
+/// omega moves along what the part leaves free; tension along the line between two members.
+RC_GTEST_PROP(QuasiSpline, WhatIsReproducedStaysAlongTheLine, (const Space& space)) {
+  const Space part = part_of(space, *rc::gen::container<std::vector<unsigned>>(6, rc::uniform(0U, 12U)));
+  RC_PRE(part.dimension() > 0U);
+  const QuasiSpline s = quasi_spline(space, part);
+  const QuasiSpline all = quasi_spline(s.space, space);
+  // The two may differ in how far the frequencies are halved.
+  const Space common = all.space;
+  const Space fine = Space::rebase(s.reproduced, common.variables()).space;
+  const QuasiSpline own = quasi_spline(common, fine);
+  const auto e = exponential_points(common);
+  const bool dual = space.dimension() % 2 == 1;
+  for (const Laurent& direction : {own.beta * free_factor(own), all.mask - own.mask}) {
+    const auto mask = mask_at(own.mask + RationalFunction(Rational(2, 7)) * direction, level_values(common, e));
+    RC_ASSERT(mask.has_value());
+    RC_ASSERT(generates(*mask, common, e));
+    RC_ASSERT(reproduces(*mask, own.reproduced, e, dual));
+  }
+}
+
+/// The de Rham transform keeps what its primal scheme generates and reproduces.
+RC_GTEST_PROP(QuasiSpline, DeRhamKeepsSpaces, (const Space& space)) {
+  RC_PRE(space.dimension() % 2 == 0U && space.dimension() <= 6U);
+  const Space part = part_of(space, *rc::gen::container<std::vector<unsigned>>(6, rc::uniform(0U, 12U)));
+  RC_PRE(part.dimension() > 0U);
+  const QuasiSpline s = quasi_spline(space, part);
+  const DeRham d = de_rham_transform(s.space, s.mask);
+  const auto e = exponential_points(d.space);
+  const auto mask = mask_at(d.mask, level_values(d.space, e));
+  RC_ASSERT(mask.has_value());
+  RC_ASSERT(d.mask.centre_of_symmetry() == Rational(1, 2));
+  RC_ASSERT(generates(*mask, d.space, e));
+  RC_ASSERT(reproduces(*mask, Space::rebase(s.reproduced, d.space.variables()).space, e, true));
+}
+
 TEST(QuasiSpline, ChosenSpaces) {
   const std::vector<std::pair<const char*, const char*>> cases = {
       {"1", "1"},
