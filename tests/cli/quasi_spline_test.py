@@ -134,6 +134,13 @@ class Curves(ProgramTest):
         self.assertEqual([float(c) for c in d["levels"][0]["coefficients"]],
                          [-1 / 32, 1 / 16, 17 / 32, 7 / 8, 17 / 32, 1 / 16, -1 / 32])
 
+    def test_a_table_names_the_frequency_that_t_sets(self):
+        half = self.twoscale_json("table", DUAL, "--t", "1/2", "--levels", "1")
+        self.assertEqual(half["parameters"], {"t/2": "1/2"})
+        whole = self.twoscale_json("table", DUAL, "--at", "t=1", "--levels", "1")
+        self.assertEqual(whole["parameters"], {"t": "1"})
+        self.assertEqual(half["levels"], whole["levels"])
+
     def test_pictures(self):
         for scheme in (f'quasi-spline:space="{FOUR}",tension=1/2', DUAL):
             self.assertIn("<svg", self.twoscale("plot", "basic", scheme, "--v0", "2"))

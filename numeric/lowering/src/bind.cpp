@@ -51,7 +51,9 @@ class Binder {
       set_v0(variables_[0], text);
     else
       set_frequency(variables_[0], parse_frequency(text), text);
-    result_.description.emplace_back(name, text);
+    // --t is the frequency of the level variable, which may be a multiple of the one that was named.
+    const bool scaled = name == "t" && variables_[0].factor != Rational(1);
+    result_.description.emplace_back(scaled ? variables_[0].frequency() : name, text);
   }
 
   void named(const std::string& name, const std::string& text) {
