@@ -182,7 +182,10 @@ ExactReal ExponentialSum::at(const ex& u, const ex& v) const {
     const ex exponent = (t.u.lambda * u + t.v.lambda * v).expand();
     const ex r = exponent.real_part().expand(), w = exponent.imag_part().expand();
     const ex wave = t.coefficient.real_part() * GiNaC::cos(w) - t.coefficient.imag_part() * GiNaC::sin(w);
-    sum += GiNaC::pow(u, t.u.degree) * GiNaC::pow(v, t.v.degree) * GiNaC::exp(r) * wave;
+    ex powers = 1;  // GiNaC has no 0^0
+    for (unsigned i = 0; i < t.u.degree; ++i) powers *= u;
+    for (unsigned i = 0; i < t.v.degree; ++i) powers *= v;
+    sum += powers * GiNaC::exp(r) * wave;
   }
   return to_exact_real(sum.expand());
 }
