@@ -304,11 +304,20 @@ struct Way {
   std::vector<Summand> summands;
   lowering::RefinedGrid refined;
   std::optional<double> deviation;
+  std::string refusal;  // why it cannot be followed
 };
 
 Way follow(const Description& d, const std::string& name, SurfaceMethod method, unsigned u_levels, unsigned v_levels) {
-  Way w{name, plan(d, method, u_levels, v_levels, 0), {}, {}};
-  w.refined = lowering::refine_sum(w.summands, 0);
+  Way w{name, {}, {}, {}, {}};
+  try {
+    w.summands = plan(d, method, u_levels, v_levels, 0);
+    w.refined = lowering::refine_sum(w.summands, 0);
+  } catch (const Error& e) {
+    if (e.kind != Error::Kind::bad_input) throw;
+    w.refusal = e.what();
+    w.summands.clear();
+    return w;
+  }
   if (!d.formulas.empty()) w.deviation = lowering::estimate_largest_deviation(w.refined, *d.surface);
   return w;
 }
@@ -358,6 +367,10 @@ std::string explained_text(const Description& d, const std::vector<Way>& ways) {
     s += "\n";
   }
   for (const Way& w : ways) {
+    if (!w.refusal.empty()) {
+      s += fmt::format("\n{}: not possible, {}\n", w.name, w.refusal);
+      continue;
+    }
     s += fmt::format("\n{}: {} tensor product{}\n", w.name, w.summands.size(), w.summands.size() == 1 ? "" : "s");
     for (const Summand& m : w.summands)
       s += fmt::format("  {} x {} points\n    u {}\n    v {}\n", m.grid.size.rows, m.grid.size.columns,
@@ -392,6 +405,11 @@ std::string explained_json(const Description& d, const std::vector<Way>& ways) {
   for (const Way& w : ways) {
     nlohmann::ordered_json o;
     o["method"] = w.name;
+    if (!w.refusal.empty()) {
+      o["refused"] = w.refusal;
+      j["ways"].push_back(o);
+      continue;
+    }
     for (const Summand& m : w.summands)
       o["summands"].push_back(nlohmann::ordered_json{{"rows", m.grid.size.rows},
                                                      {"columns", m.grid.size.columns},
@@ -418,6 +436,8 @@ int explain(const Options& o, const Description& d, unsigned u_levels, unsigned 
   else
     for (const auto& [name, method] : {std::pair("space", SurfaceMethod::space), std::pair("sum", SurfaceMethod::sum)})
       ways.push_back(follow(d, name, method, u_levels, v_levels));
+  if (std::all_of(ways.begin(), ways.end(), [](const Way& w) { return !w.refusal.empty(); }))
+    bad_input(ways.front().refusal);
   deliver(common, common.format == "json" ? explained_json(d, ways) : explained_text(d, ways));
   return 0;
 }

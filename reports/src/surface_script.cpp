@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface as a gnuplot script: pm3d quads in depth order, coloured along u, lit; no axes, one unit in all directions.
+// A surface as a gnuplot script: pm3d quads in depth order, coloured by height, lit; no axes, one unit in all
+// directions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ std::string gnuplot_script(const SurfacePicture& picture, ImageFormat format) {
       "set lmargin at screen 0.02\nset rmargin at screen 0.98\nset bmargin at screen 0.02\n"
       "set tmargin at screen {}\n",
       picture.title.empty() ? "0.98" : "0.90");
-  out += fmt::format("set view {:.6g},{:.6g},1.15\nset view equal xyz\nset xyplane at {:.9g}\n", picture.tilt,
+  out += fmt::format("set view {:.6g},{:.6g},1.4\nset view equal xyz\nset xyplane at {:.9g}\n", picture.tilt,
                      picture.turn, low[2]);
   for (const int c : {0, 1, 2}) {
     const double half = high[c] > low[c] ? (high[c] - low[c]) / 2 : 0.5;
@@ -67,7 +68,7 @@ std::string gnuplot_script(const SurfacePicture& picture, ImageFormat format) {
   out += "set cbrange [0:1]\n";
   out += picture.net ? "set palette defined (0 '#e8eef6', 1 '#e8eef6')\n"
                        "set pm3d depthorder border lc rgb '#334155' lw 1.2\n"
-                     : "set palette defined (0 '#3b82c4', 0.25 '#4fb3a9', 0.5 '#e0b45c', 0.75 '#c9647a', 1 '#3b82c4')\n"
+                     : "set palette defined (0 '#2f5fa8', 0.35 '#3f9fc0', 0.65 '#7cc4a4', 1 '#f0d58a')\n"
                        "set pm3d depthorder border lc rgb '#1f2937' lw 0.25\n"
                        "set pm3d lighting primary 0.45 specular 0.15\n";
   if (!picture.title.empty()) out += "set title " + quoted(picture.title) + "\n";
@@ -76,7 +77,7 @@ std::string gnuplot_script(const SurfacePicture& picture, ImageFormat format) {
     for (std::size_t j = 0; j < columns; ++j) {
       const double* p = &s.values[3 * (i % s.size.rows * s.size.columns + j % s.size.columns)];
       out += fmt::format("{:.7g} {:.7g} {:.7g} {:.4g}\n", p[0], p[1], p[2],
-                         static_cast<double>(i) / static_cast<double>(rows - 1));
+                         high[2] > low[2] ? (p[2] - low[2]) / (high[2] - low[2]) : 0.5);
     }
     out += '\n';
   }
