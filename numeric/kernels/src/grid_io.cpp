@@ -93,7 +93,7 @@ const obj::Quad* misfit(const std::vector<obj::Quad>& quads, GridSize size, Clos
 }
 
 PointFile parse_obj_file(std::string_view bytes, const std::string& name) {
-  obj::File file = obj::parse(bytes, name);
+  obj::File file = obj::parse(bytes, name, true);
   if (file.quads.empty()) return parse_obj(bytes, name);
   if (file.polyline_line != 0) text::fail_at(name, file.polyline_line, "a polyline beside the faces of a grid");
   const std::size_t n = file.vertices.size();

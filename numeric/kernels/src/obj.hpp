@@ -24,7 +24,8 @@ struct File {
 };
 
 /// Names, groups, materials, normals and texture coordinates are skipped. Throws Error (bad_input) at name:line for
-/// vertices without 2 or 3 coordinates, a second polyline, faces that are no quads, anything else, no vertex at all.
-File parse(std::string_view bytes, const std::string& name);
+/// vertices without 2 or 3 coordinates, a second polyline, faces that are no quads (any face unless
+/// `with_faces`), anything else, no vertex at all.
+File parse(std::string_view bytes, const std::string& name, bool with_faces);
 
 }  // namespace twoscale::kernels::obj

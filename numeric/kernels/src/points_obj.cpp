@@ -32,7 +32,7 @@ struct Element {
 
 }  // namespace
 
-File parse(std::string_view bytes, const std::string& name) {
+File parse(std::string_view bytes, const std::string& name, bool with_faces) {
   File file;
   PointSet& points = file.vertices;
   std::vector<Element> faces;
@@ -59,6 +59,7 @@ File parse(std::string_view bytes, const std::string& name) {
       polyline = {{fields.begin() + 1, fields.end()}, at, points.size()};
       if (polyline.tokens.empty()) text::fail_at(name, at, "a polyline without points");
     } else if (key == "f") {
+      if (!with_faces) text::fail_at(name, at, "faces are not a polygon to refine: " + quoted(line));
       if (fields.size() != 5) {
         text::fail_at(
             name, at,
@@ -90,8 +91,7 @@ File parse(std::string_view bytes, const std::string& name) {
 }  // namespace obj
 
 PointSet parse_obj(std::string_view bytes, const std::string& name) {
-  obj::File file = obj::parse(bytes, name);
-  if (!file.quads.empty()) text::fail_at(name, file.quads.front().line, "faces are not a polygon to refine");
+  obj::File file = obj::parse(bytes, name, false);
   if (file.polyline_line == 0) return std::move(file.vertices);
   const PointSet& all = file.vertices;
   std::vector<std::size_t>& order = file.polyline;
