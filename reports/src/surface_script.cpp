@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gnuplot.hpp"
 #include "twoscale/reports/surface_plot.hpp"
@@ -22,6 +23,36 @@ std::vector<std::size_t> kept(std::size_t n, bool closed, std::size_t most) {
   for (std::size_t i = 0; i < n; i += step) list.push_back(i);
   if (!closed && list.back() != n - 1) list.push_back(n - 1);
   return list;
+}
+
+struct Box {
+  double low[3], high[3];
+  double length(std::size_t c) const { return high[c] - low[c]; }
+  double middle(std::size_t c) const { return low[c] + (high[c] - low[c]) / 2; }
+};
+
+Box box_of(const std::vector<double>& points) {
+  Box b{{points[0], points[1], points[2]}, {points[0], points[1], points[2]}};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    b.low[i % 3] = std::min(b.low[i % 3], points[i]);
+    b.high[i % 3] = std::max(b.high[i % 3], points[i]);
+  }
+  return b;
+}
+
+// Turned about z, then tilted: right, up, away from the viewer (a map in gnuplot is seen from below).
+std::vector<double> seen_from(const std::vector<double>& points, double tilt, double turn) {
+  const double degree = std::numbers::pi / 180;
+  const double tc = std::cos(turn * degree), ts = std::sin(turn * degree);
+  const double rc = std::cos(tilt * degree), rs = std::sin(tilt * degree);
+  std::vector<double> seen;
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    const double x = tc * points[i] + ts * points[i + 1];
+    const double y = tc * points[i + 1] - ts * points[i];
+    const double z = points[i + 2];
+    seen.insert(seen.end(), {x, rc * y + rs * z, rs * y - rc * z});
+  }
+  return seen;
 }
 
 }  // namespace
@@ -44,27 +75,26 @@ std::string gnuplot_script(const SurfacePicture& picture, ImageFormat format) {
   const std::size_t rows = s.size.rows + (s.closings.u ? 1 : 0), columns = s.size.columns + (s.closings.v ? 1 : 0);
   if (rows < 2 || columns < 2 || s.values.size() != 3 * s.size.rows * s.size.columns)
     bad_input("picture: a surface needs at least two rows and two columns of points");
-  double low[3], high[3];
-  for (std::size_t i = 0; i < s.values.size(); ++i) {
-    const double x = s.values[i];
+  for (const double x : s.values)
     if (!std::isfinite(x) || std::abs(x) > 1e100)
       bad_input("picture: a point is too far away to be drawn", fmt::format("{}", x));
-    low[i % 3] = i < 3 ? x : std::min(low[i % 3], x);
-    high[i % 3] = i < 3 ? x : std::max(high[i % 3], x);
-  }
+  const std::vector<double> seen = seen_from(s.values, picture.tilt, picture.turn);
+  const Box box = box_of(seen), body = box_of(s.values);
   std::string out = "set terminal " + terminal(format, picture.width, picture.height) + "\nset encoding utf8\n";
-  out += "unset border\nunset tics\nunset key\nunset colorbox\n";
+  out += "unset border\nunset tics\nunset key\nunset colorbox\nset view map\n";
+  const int top = picture.title.empty() ? 0 : 34;
   out += fmt::format(
-      "set lmargin at screen 0.02\nset rmargin at screen 0.98\nset bmargin at screen 0.02\n"
-      "set tmargin at screen {}\n",
-      picture.title.empty() ? "0.98" : "0.90");
-  out += fmt::format("set view {:.6g},{:.6g},1.4\nset view equal xyz\nset xyplane at {:.9g}\n", picture.tilt,
-                     picture.turn, low[2]);
-  for (const int c : {0, 1, 2}) {
-    const double half = high[c] > low[c] ? (high[c] - low[c]) / 2 : 0.5;
-    const double middle = low[c] + (high[c] - low[c]) / 2;
-    out += fmt::format("set {}range [{:.9g}:{:.9g}]\n", "xyz"[c], middle - half, middle + half);
+      "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen {:.6f}\n",
+      1 - static_cast<double>(top) / picture.height);
+  // One unit is equally long in all directions, and the surface fills the picture but for a rim.
+  const double width = picture.width, height = picture.height - top;
+  const double unit = 1.06 * std::max({box.length(0) / width, box.length(1) / height, 1e-300});
+  for (const std::size_t c : {0U, 1U}) {
+    const double half = unit * (c == 0 ? width : height) / 2;
+    out += fmt::format("set {}range [{:.9g}:{:.9g}]\n", c == 0 ? 'x' : 'y', box.middle(c) - half, box.middle(c) + half);
   }
+  const double depth = box.length(2) > 0 ? box.length(2) : 1;
+  out += fmt::format("set zrange [{:.9g}:{:.9g}]\n", box.middle(2) - depth, box.middle(2) + depth);
   out += "set cbrange [0:1]\n";
   out += picture.net ? "set palette defined (0 '#e8eef6', 1 '#e8eef6')\n"
                        "set pm3d depthorder border lc rgb '#334155' lw 1.2\n"
@@ -75,9 +105,9 @@ std::string gnuplot_script(const SurfacePicture& picture, ImageFormat format) {
   out += "$surface << END\n";
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
-      const double* p = &s.values[3 * (i % s.size.rows * s.size.columns + j % s.size.columns)];
-      out += fmt::format("{:.7g} {:.7g} {:.7g} {:.4g}\n", p[0], p[1], p[2],
-                         high[2] > low[2] ? (p[2] - low[2]) / (high[2] - low[2]) : 0.5);
+      const std::size_t at = 3 * (i % s.size.rows * s.size.columns + j % s.size.columns);
+      const double colour = body.length(2) > 0 ? (s.values[at + 2] - body.low[2]) / body.length(2) : 0.5;
+      out += fmt::format("{:.7g} {:.7g} {:.7g} {:.4g}\n", seen[at], seen[at + 1], seen[at + 2], colour);
     }
     out += '\n';
   }

@@ -23,7 +23,7 @@ using lowering::Summand;
 using lowering::SurfaceMethod;
 
 constexpr unsigned measured_levels = 4;
-constexpr std::size_t drawn_quads = 48;
+constexpr std::size_t drawn_quads = 32;
 
 const std::vector<std::string> coordinates = {"x", "y", "z"};
 
@@ -227,7 +227,7 @@ std::string glasses_html(Part& part, Summary& summary) {
   const auto upright = [](Sheet s) {
     SurfacePicture p;
     p.sheet = std::move(s);
-    p.tilt = 74;
+    p.tilt = 72;
     p.turn = 30;
     p.height = 440;
     return p;
@@ -247,7 +247,7 @@ std::string glasses_html(Part& part, Summary& summary) {
     ++summary.exact_runs;
     summary.largest_exact_deviation = std::max(summary.largest_exact_deviation, spread);
     part.numbers.push_back(nlohmann::ordered_json{{"surface", id}, {"t", t}, {"roundness", spread}});
-    panel(id, std::string("Vertical t = ") + t, upright(sheet(glass.grid, *glass.grid.closings, 64)),
+    panel(id, std::string("Vertical t = ") + t, upright(sheet(glass.grid, *glass.grid.closings, drawn_quads)),
           "<br/>All rings are circles: spread of their radii at most " + number_text(spread) + ".");
   }
   part.files.emplace_back("data/7.csv", kernels::grid_to_bytes(polyhedron, kernels::PointFormat::csv, {}));
