@@ -179,9 +179,14 @@ std::string figure1(Part& part, Summary& summary, bool& ordered) {
                  html, command("twoscale plot basic '" + cubic_name("-3/8") + "' -o basic.svg"));
 }
 
+std::string tension_command(TensionForm form, const std::string& t, const std::string& v0, const std::string& data) {
+  return command("twoscale refine " + shell_quoted(tension_name(form, t)) + " --v0 " + shell_quoted(v0) +
+                 " --levels 7 data/" + data + ".csv -o curve.csv");
+}
+
 std::vector<Run> tension_runs(TensionForm form, const std::vector<std::string>& ts, const std::string& v0) {
   std::vector<Run> runs;
-  for (const auto& t : ts) runs.push_back({"t = " + t, tension_scheme(form, t), v0});
+  for (const auto& t : ts) runs.push_back({"t = " + t, make_scheme(tension_name(form, t)), v0});
   return runs;
 }
 
@@ -196,6 +201,11 @@ bool areas_grow(const std::vector<Run>& runs, const std::vector<double>& polygon
 }
 
 }  // namespace
+
+std::string tension_name(TensionForm form, const std::string& t) {
+  return "quasi-spline:space=\"1, x, exp(t*x), exp(-t*x)\",tension=" + t +
+         (form == TensionForm::spline ? ",keep=\"1, x\"" : ",keep=\"1, x\",keep_space=\"1, x\"");
+}
 
 Part curve_part(const Options& options, Summary& summary) {
   Part part;
@@ -228,10 +238,7 @@ Part curve_part(const Options& options, Summary& summary) {
       section(4, "Tension forms (26)",
               "From the exponential B-spline, t = 0, to the 4-point interpolating scheme, t = 1; λ₁ = 0. The polygon "
               "is ours.",
-              panels,
-              command("twoscale refine exponential-bspline:space='1,x,exp(t*x),exp(-t*x)' --v0 'cosh(3)' --levels 7 "
-                      "data/star.csv -o curve.csv   # t = 0") +
-                  command("twoscale refine tension4 --v0 'cosh(3)' --levels 7 data/star.csv -o curve.csv   # t = 1"));
+              panels, tension_command(TensionForm::spline, "1/4", "cosh(3)", "star"));
   panels.clear();
   const std::tuple<const char*, const char*, const char*> real[] = {
       {"5a", "1", "cosh(1)"}, {"5b", "4", "cosh(4)"}, {"5c", "8", "cosh(8)"}, {"5d", "16", "cosh(16)"}};
@@ -242,7 +249,7 @@ Part curve_part(const Options& options, Summary& summary) {
       section(5, "Large real frequencies",
               "The caption says t = 1/2, the text of Example 6.1 t = 1/4: both are drawn. With growing λ₂ the curves "
               "tend to the polygon for either.",
-              panels, "");
+              panels, tension_command(TensionForm::spline, "1/2", "cosh(4)", "star"));
 
   progress("figures 8 and 9");
   panels.clear();
@@ -253,16 +260,15 @@ Part curve_part(const Options& options, Summary& summary) {
   for (const auto& [id, t, lambda, v0] : eight)
     panels += panel(id, fmt::format("t = {}, λ₂ = {}", t, lambda), tension_runs(TensionForm::polygon, {t}, v0),
                     irregular, part, summary);
-  part.html +=
-      section(8, "An irregular polygon",
-              "Interpolating schemes (27) with (28). The polygon is ours; it turns by " +
-                  fmt::format("{:.3f}", total_turning(irregular, true)) + ".",
-              panels, command("twoscale refine tension4 --v0 'cosh(4)' --levels 7 data/irregular.csv -o curve.csv"));
+  part.html += section(8, "An irregular polygon",
+                       "Interpolating schemes (27) with (28). The polygon is ours; it turns by " +
+                           fmt::format("{:.3f}", total_turning(irregular, true)) + ".",
+                       panels, tension_command(TensionForm::polygon, "1/4", "cosh(3/2)", "irregular"));
   panels.clear();
   const std::pair<const char*, const char*> nine[] = {{"9a", "1/2"}, {"9b", "1/4"}, {"9c", "1/6"}, {"9d", "1/8"}};
   double gain = 0;
   for (const auto& [id, t] : nine) {
-    const Scheme s = tension_scheme(TensionForm::polygon, t);
+    const Scheme s = make_scheme(tension_name(TensionForm::polygon, t));
     const std::vector<Run> runs = {{"quasi-spline, λ₂ = 3/2", s, "cosh(3/2)"}, {"4-point, w = t/16", s, "1"}};
     const double a = measured(refined(runs[0], irregular), irregular).distance;
     const double b = measured(refined(runs[1], irregular), irregular).distance;
@@ -274,7 +280,7 @@ Part curve_part(const Options& options, Summary& summary) {
               "A part of the same polygon. The paper does not say how t enters the scheme it compares with; w = t/16 "
               "is (27)-(28) with λ₂ = 0. Its weight is then larger at every step, since γ₂(2 + γ₂) ≥ 8: the curves of "
               "λ₂ = 3/2 stay closer to the polygon at the same t.",
-              panels, "");
+              panels, tension_command(TensionForm::polygon, "1/2", "1", "irregular"));
   part.findings = {
       std::string("Figures 1, 2, 4: the orders stated in the captions ") + (ordered ? "hold" : "do not all hold") +
           " on our polygon, measured by the values at the origin and by the enclosed areas.",

@@ -17,6 +17,7 @@ using romani2009::make_directory;
 using romani2009::number_text;
 using romani2009::page_style;
 using romani2009::Part;
+using romani2009::shell_quoted;
 
 Part curve_part(const Options& options, Summary& summary);
 Part surface_part(const Options& options, Summary& summary);

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "twoscale/lowering/parametric_surface.hpp"
-#include "twoscale/symbolic/scheme.hpp"
 
 namespace twoscale::reports::jeong2013 {
 
@@ -20,8 +19,8 @@ enum class TensionForm {
   spline,   // (26): t = 0 the cubic exponential B-spline of {1, x, exp(+-lambda_2 x)}, t = 1 the 4-point scheme
   polygon,  // (27)-(28): t = 0 the polygon itself, t = 1 the same 4-point scheme
 };
-// t is an exact number as text. The level variable v is that of the space {1, x, exp(t*x), exp(-t*x)}; --v0 sets it.
-Scheme tension_scheme(TensionForm form, const std::string& t);
+// Its name in the catalogue; t is an exact number as text.
+std::string tension_name(TensionForm form, const std::string& t);
 
 // A surface of figure 6 with the samples of the paper.
 struct Surface {
