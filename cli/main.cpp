@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   cli::add_spectrum_command(app, session);
   cli::add_table_command(app, session);
   cli::add_refine_command(app, session);
+  cli::add_surface_command(app, session);
   cli::add_fit_command(app, session);
   cli::add_plot_command(app, session);
   cli::add_report_command(app, session);

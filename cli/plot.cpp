@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// twoscale plot basic|curve|sweep|comb|curvature|spectrum SCHEME [IN] -o FILE.{svg,pdf,png}
+// twoscale plot basic|curve|sweep|comb|curvature|spectrum|regularity|surface SCHEME [IN] -o FILE.{svg,pdf,png}
 #include "twoscale/reports/plot.hpp"
 
 #include <algorithm>
@@ -10,11 +10,13 @@
 #include "regularity.hpp"
 #include "session.hpp"
 #include "spectrum.hpp"
+#include "tensor.hpp"
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/reports/curves.hpp"
+#include "twoscale/reports/surface_plot.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
@@ -42,6 +44,7 @@ struct Options {
   bool closed = false;
   int levels = 6;
   Values at;
+  TensorOptions tensor;
 };
 
 struct Data {
@@ -296,6 +299,24 @@ Picture picture(const Options& o) {
   return curvature_graph(s, o);
 }
 
+reports::SurfacePicture surface(const Options& o) {
+  if (o.input.empty()) bad_input("plot surface: a file with a grid of points is missing", o.scheme);
+  const kernels::PointFile in = kernels::read_point_file(o.input);
+  const auto* grid = std::get_if<kernels::PointGrid>(&in);
+  if (grid == nullptr) bad_input("plot surface draws grids, and these are the points of a polygon", o.input);
+  const Directions d = directions({o.scheme, o.at, static_cast<unsigned>(o.levels), o.open, o.closed}, o.tensor, *grid);
+  const double rows = static_cast<double>(grid->size.rows) * std::pow(d.u.scheme.arity, d.u.levels);
+  const double columns = static_cast<double>(grid->size.columns) * std::pow(d.v.scheme.arity, d.v.levels);
+  if (rows * columns > most_points) bad_input("--levels: too many points for a picture", std::to_string(o.levels));
+  reports::SurfacePicture p;
+  p.sheet = reports::sheet(lowering::refine_grid(*grid, d.u, d.v, 0).grid, d.closings());
+  p.title = d.u.scheme.id == d.v.scheme.id ? d.u.scheme.id : d.u.scheme.id + " x " + d.v.scheme.id;
+  if (p.title.size() > 60) p.title = p.title.substr(0, 57) + "...";
+  p.width = 640;
+  p.height = 520;
+  return p;
+}
+
 reports::ImageFormat format_of(const Common& common) {
   const std::string given = common.format == "text" ? "" : common.format;
   if (common.output == "-") return reports::image_format(given.empty() ? "-" : "x." + given);
@@ -309,13 +330,14 @@ reports::ImageFormat format_of(const Common& common) {
 
 void add_plot_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();
-  CLI::App* c = add_command(app, session, "plot",
-                            "draw basic limit functions, curves, tension sweeps, curvature, spectra, exponents",
-                            {"svg", "pdf", "png"});
-  c->add_option("kind", o->kind, "basic, curve, sweep, comb, curvature, spectrum or regularity")
+  CLI::App* c =
+      add_command(app, session, "plot",
+                  "draw basic limit functions, curves, tension sweeps, curvature, spectra, exponents, surfaces",
+                  {"svg", "pdf", "png"});
+  c->add_option("kind", o->kind, "basic, curve, sweep, comb, curvature, spectrum, regularity or surface")
       ->required()
       ->type_name("KIND")
-      ->check(CLI::IsMember({"basic", "curve", "sweep", "comb", "curvature", "spectrum", "regularity"}));
+      ->check(CLI::IsMember({"basic", "curve", "sweep", "comb", "curvature", "spectrum", "regularity", "surface"}));
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
   c->add_option("in", o->input,
                 "points (csv, npy, obj), - for csv from standard input; not for basic, spectrum, regularity")
@@ -323,15 +345,20 @@ void add_plot_command(CLI::App& app, Session& session) {
   add_values(c, o->at);
   c->add_option("--values", o->values, "sweep: values of v0, \"v1,v2,...\"")->type_name("LIST");
   c->add_option("--over", o->over, "regularity: the constant and its range")->type_name("NAME=[A,B]");
-  c->add_option("--levels", o->levels, "refinement steps, 6 by default")
+  c->add_option("--levels", o->levels, "refinement steps, 6 by default, 4 for surfaces")
       ->check(CLI::Range(0, most_levels))
       ->type_name("K");
   CLI::Option* closed = c->add_flag("--closed", o->closed, "closed polygon (default)");
   c->add_option("--open", o->open, "open polygon: given, linear or space")->type_name("RULE")->excludes(closed);
-  c->callback([&session, o] {
-    session.action = [&session, o] {
+  add_tensor(c, o->tensor);
+  c->callback([&session, o, c] {
+    session.action = [&session, o, c] {
       const auto format = format_of(session.common);
-      kernels::write_file(session.common.output, reports::render(picture(*o), format));
+      const bool grids = o->kind == "surface";
+      if (o->tensor.any() && !grids) bad_input("--tensor belongs to plot surface", o->kind);
+      if (grids && c->count("--levels") == 0) o->levels = 4;
+      kernels::write_file(session.common.output,
+                          grids ? reports::render(surface(*o), format) : reports::render(picture(*o), format));
       return 0;
     };
   });

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // twoscale refine SCHEME [--v0 E] --levels K [--closed|--open=given|linear|space] [--digits D] IN -o OUT: refines
-// points.
+// points, and grids by tensor products (--tensor SCHEME2 ...).
 #include "session.hpp"
-#include "twoscale/kernels/points_io.hpp"
+#include "tensor.hpp"
+#include "twoscale/kernels/grid_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/lowering/refine_points.hpp"
 #include "twoscale/symbolic/catalog.hpp"
@@ -20,23 +21,29 @@ struct Options {
   long digits = 0;
   bool closed = false;
   std::string open;
+  TensorOptions tensor;
 };
 
 int run(const Options& o, const Common& common) {
   // Everything that can be refused without the points comes first.
   const std::string target = common.format == "text" ? common.output : "." + common.format;
   const kernels::PointFormat format = kernels::point_format(target);
+  if (!o.open.empty()) open_rule("--open", o.open);
+  const Scheme s = make_scheme(o.scheme);
+  const lowering::Binding b = lowering::bind(s, o.values.v0, o.values.t, o.values.named());
+  const kernels::PointFile in = kernels::read_point_file(o.input);
+  if (const auto* grid = std::get_if<kernels::PointGrid>(&in)) {
+    const Directions d = directions({o.scheme, o.values, o.levels, o.open, o.closed}, o.tensor, *grid);
+    const lowering::RefinedGrid out = lowering::refine_grid(*grid, d.u, d.v, o.digits);
+    kernels::write_file(common.output, kernels::grid_to_bytes(out.grid, format, d.closings()));
+    return 0;
+  }
+  if (o.tensor.any()) bad_input("--tensor belongs to grids, and these are the points of a polygon", o.input);
   lowering::RefineOptions options;
   options.levels = o.levels;
   options.digits = o.digits;
-  if (!o.open.empty()) {
-    options.boundary = kernels::parse_boundary(o.open);
-    if (options.boundary == kernels::Boundary::closed) bad_input("--open takes given, linear or space", o.open);
-  }
-  const Scheme s = make_scheme(o.scheme);
-  const lowering::Binding b = lowering::bind(s, o.values.v0, o.values.t, o.values.named());
-  const kernels::PointSet in = kernels::read_points(o.input);
-  const kernels::PointSet out = lowering::refine_points(s, b, in, options);
+  if (!o.open.empty()) options.boundary = kernels::parse_boundary(o.open);
+  const kernels::PointSet out = lowering::refine_points(s, b, std::get<kernels::PointSet>(in), options);
   const bool closed = options.boundary == kernels::Boundary::closed;
   kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));
   return 0;
@@ -46,11 +53,16 @@ int run(const Options& o, const Common& common) {
 
 void add_refine_command(CLI::App& app, Session& session) {
   auto o = std::make_shared<Options>();
-  CLI::App* c = add_command(app, session, "refine",
-                            "refine points; formats by the suffixes of IN (csv, npy, obj) and of the output file",
-                            {"text", "csv", "npy", "obj", "ply", "svg"});
+  CLI::App* c = add_command(
+      app, session, "refine",
+      "refine points of a polygon or a grid; formats by the suffixes of IN (csv, npy, obj) and of the output",
+      {"text", "csv", "npy", "obj", "ply", "svg"});
   c->add_option("scheme", o->scheme, "scheme name")->required()->type_name("SCHEME");
-  c->add_option("in", o->input, "points (csv, npy, obj), - for csv from standard input")->required()->type_name("IN");
+  c->add_option("in", o->input,
+                "points (csv, npy, obj), - for csv from standard input; a grid: csv with a line '# grid ROWSxCOLUMNS', "
+                "npy with 3 axes, obj with quads")
+      ->required()
+      ->type_name("IN");
   add_values(c, o->values);
   c->add_option("--levels", o->levels, "number K of refinement steps")
       ->required()
@@ -61,6 +73,7 @@ void add_refine_command(CLI::App& app, Session& session) {
   c->add_option("--digits", o->digits, "significant digits, all correct; without it, doubles")
       ->check(CLI::Range(17, 10000))
       ->type_name("D");
+  add_tensor(c, o->tensor);
   c->callback([&session, o] { session.action = [&session, o] { return run(*o, session.common); }; });
 }
 

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "report_jeong2013.hpp"
 #include "session.hpp"
 #include "twoscale/check/check.hpp"
 #include "twoscale/reports/romani2009.hpp"
@@ -52,12 +53,14 @@ void add_report_command(CLI::App& app, Session& session) {
   auto subject = std::make_shared<std::string>();
   CLI::App* c = add_command(app, session, "report",
                             "write an HTML report with formulas, proofs and figures into the directory -o DIR");
-  c->add_option("subject", *subject, "romani2009")->required()->type_name("PAPER");
+  c->add_option("subject", *subject, "romani2009 or jeong2013")->required()->type_name("PAPER");
   c->callback([&session, subject] {
     session.action = [&session, subject] {
       const Common& common = session.common;
-      if (*subject != "romani2009") bad_input("report: only romani2009 is available in this version, not", *subject);
+      if (*subject != "romani2009" && *subject != "jeong2013")
+        bad_input("report: only romani2009 and jeong2013 are available in this version, not", *subject);
       if (common.output == "-") bad_input("report: name a directory, -o DIR");
+      if (*subject == "jeong2013") return report_jeong2013(common);
       romani2009::Options options;
       options.checker = check_certificate;
       if (!common.quiet && isatty(STDERR_FILENO) != 0)

@@ -58,6 +58,7 @@ void add_spectrum_command(CLI::App& app, Session& session);
 void add_check_command(CLI::App& app, Session& session);
 void add_table_command(CLI::App& app, Session& session);
 void add_refine_command(CLI::App& app, Session& session);
+void add_surface_command(CLI::App& app, Session& session);
 void add_fit_command(CLI::App& app, Session& session);
 void add_plot_command(CLI::App& app, Session& session);
 void add_report_command(CLI::App& app, Session& session);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "twoscale/lowering/refine_grid.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::reports {
@@ -37,11 +38,7 @@ Refined refine_points(const Scheme& scheme, const lowering::Binding& binding, st
   return r;
 }
 
-kernels::EndPoints points_beyond_ends(const Scheme& scheme) {
-  const Laurent a = symbol(scheme);
-  return kernels::points_beyond_ends(scheme.arity, a.lowest(), a.highest(),
-                                     kernels::parse_shift(scheme.shift.to_string()));
-}
+kernels::EndPoints points_beyond_ends(const Scheme& scheme) { return lowering::points_beyond_ends(scheme); }
 
 Refined basic_limit_function(const Scheme& scheme, const lowering::Binding& binding, int levels) {
   const Laurent a = symbol(scheme);

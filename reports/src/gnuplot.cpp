@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "gnuplot.hpp"
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/reports/plot.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -114,8 +115,7 @@ ImageFormat image_format(const std::string& path) {
   bad_input("pictures are written as .svg, .pdf or .png, not as", path);
 }
 
-std::string render(const Picture& picture, ImageFormat format) {
-  const std::string script = gnuplot_script(picture, format);
+std::string image_of(const std::string& script) {
   const TemporaryDirectory directory;
   kernels::write_file(directory.file("picture.gp"), script);
   const int status = run_gnuplot(directory.file("picture.gp"), directory.file("image"), directory.file("complaints"));
@@ -125,6 +125,8 @@ std::string render(const Picture& picture, ImageFormat format) {
   if (image.empty()) fail("gnuplot drew nothing", first_complaint(complaints));
   return image;
 }
+
+std::string render(const Picture& picture, ImageFormat format) { return image_of(gnuplot_script(picture, format)); }
 
 void draw(const Picture& picture, const std::string& path) {
   kernels::write_file(path, render(picture, image_format(path)));

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "gnuplot.hpp"
 #include "projection.hpp"
 #include "twoscale/kernels/number_text.hpp"
 #include "twoscale/reports/plot.hpp"
@@ -29,15 +30,6 @@ struct Range {
   double length() const { return high - low; }
   double middle() const { return low + (high - low) / 2; }
 };
-
-std::string quoted(const std::string& text) {
-  std::string s = "'";
-  for (char c : text) {
-    if (c == '\'') s += '\'';
-    s += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-  }
-  return s + "'";
-}
 
 Range range_of(const Picture& picture, std::size_t coordinate) {
   Range r;
@@ -61,21 +53,6 @@ void check(const Picture& picture) {
       if (!std::isfinite(x) || std::abs(x) > 1e100)
         bad_input("picture: a point is too far away to be drawn", kernels::shortest(x));
   }
-}
-
-std::string terminal(const Picture& p, ImageFormat format) {
-  switch (format) {
-    case ImageFormat::svg:
-      return fmt::format("svg noenhanced size {},{} font 'sans-serif,12' background '#ffffff'", p.width, p.height);
-    case ImageFormat::pdf:
-      return fmt::format("pdfcairo noenhanced size {:.4f}in,{:.4f}in font 'sans-serif,9'", p.width / 72.0,
-                         p.height / 72.0);
-    case ImageFormat::png:
-      return fmt::format(
-          "pngcairo noenhanced size {},{} font 'sans-serif,12' fontscale 1.5 linewidth 2 pointscale 2 dashlength 1.6",
-          2 * p.width, 2 * p.height);
-  }
-  return {};
 }
 
 // Characters of UTF-8 text.
@@ -177,6 +154,29 @@ std::string labels_of(const Frame& f) {
 
 }  // namespace
 
+std::string terminal(ImageFormat format, int width, int height) {
+  switch (format) {
+    case ImageFormat::svg:
+      return fmt::format("svg noenhanced size {},{} font 'sans-serif,12' background '#ffffff'", width, height);
+    case ImageFormat::pdf:
+      return fmt::format("pdfcairo noenhanced size {:.4f}in,{:.4f}in font 'sans-serif,9'", width / 72.0, height / 72.0);
+    case ImageFormat::png:
+      return fmt::format(
+          "pngcairo noenhanced size {},{} font 'sans-serif,12' fontscale 1.5 linewidth 2 pointscale 2 dashlength 1.6",
+          2 * width, 2 * height);
+  }
+  return {};
+}
+
+std::string quoted(const std::string& text) {
+  std::string s = "'";
+  for (char c : text) {
+    if (c == '\'') s += '\'';
+    s += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  }
+  return s + "'";
+}
+
 std::string gnuplot_script(const Picture& picture, ImageFormat format) {
   check(picture);
   Picture p = picture;
@@ -199,7 +199,7 @@ std::string gnuplot_script(const Picture& picture, ImageFormat format) {
   const int right = p.logarithmic_x ? 24 : 14;
   const int top = p.title.empty() ? 14 : 34;
   const int bottom = (space ? 22 : 32) + (p.x_label.empty() ? 0 : 24) + 18 * key.rows;
-  std::string s = "set terminal " + terminal(p, format) + "\nset encoding utf8\n";
+  std::string s = "set terminal " + terminal(format, p.width, p.height) + "\nset encoding utf8\n";
   s += fmt::format(
       "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\nset bmargin at screen "
       "{:.6f}\n",

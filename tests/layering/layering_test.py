@@ -24,7 +24,7 @@ ROOMS = {
 }
 # Above the rooms; they may see all of them.
 PROGRAMS = {
-    "cli": ("CLI/", "nlohmann/", "fmt/"),
+    "cli": ("CLI/", "nlohmann/", "fmt/", "toml++/"),
 }
 # The one program that may see the checker only.
 CHECK_MAIN = "cli/check_main.cpp"

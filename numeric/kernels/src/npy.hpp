@@ -5,7 +5,11 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
+
+#include "twoscale/kernels/points_io.hpp"
 
 namespace twoscale::kernels::npy {
 
@@ -22,5 +26,14 @@ void append(std::string& out, T value) {
   const Bits bits = std::bit_cast<Bits>(value);
   for (std::size_t i = 0; i < sizeof(T); ++i) out += static_cast<char>((bits >> (8 * i)) & 0xff);
 }
+
+/// An array of numbers: 1 or 2 axes are points (shape (n)), 3 are a grid of them (shape (rows, columns)).
+struct Array {
+  PointSet points;
+  std::vector<std::uint64_t> shape;
+};
+
+/// Throws Error (bad_input) as parse_npy does, for more than 3 axes.
+Array read_array(std::string_view bytes, const std::string& name);
 
 }  // namespace twoscale::kernels::npy

@@ -145,7 +145,9 @@ Number element(std::string_view bytes, char kind, bool big_endian) {
 
 }  // namespace
 
-PointSet parse_npy(std::string_view bytes, const std::string& name) {
+namespace npy {
+
+Array read_array(std::string_view bytes, const std::string& name) {
   const auto fail = [&](const std::string& message) { throw Error(Error::Kind::bad_input, name + ": " + message); };
   const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])); };
   if (bytes.substr(0, 6) != "\x93NUMPY") fail("not a NumPy file, it begins " + quoted(bytes.substr(0, 6)));
@@ -171,33 +173,56 @@ PointSet parse_npy(std::string_view bytes, const std::string& name) {
        ((descr[1] == 'f' && (descr[2] == '4' || descr[2] == '8')) ||
         ((descr[1] == 'i' || descr[1] == 'u') && (descr[2] == '2' || descr[2] == '4' || descr[2] == '8'))));
   if (!known) fail("elements of type " + quoted(descr) + " are not read (float32, float64 and integers are)");
-  if (header->shape.empty() || header->shape.size() > 2) {
-    fail("an array with 1 or 2 axes is expected, not " + std::to_string(header->shape.size()));
+  const std::size_t axes = header->shape.size();
+  if (axes == 0 || axes > 3) {
+    fail("an array with 1 or 2 axes (3 for a grid) is expected, not " + std::to_string(axes));
   }
-  const std::uint64_t rows = header->shape[0];
-  const std::uint64_t dim = header->shape.size() == 2 ? header->shape[1] : 1;
-  if (rows == 0 || dim == 0) fail("the array has no points");
+  Array array;
+  std::uint64_t rows = 1;  // points
+  const std::uint64_t dim = axes == 1 ? 1 : header->shape.back();
   const std::size_t size = static_cast<std::size_t>(descr[2] - '0');
   const std::string_view data = bytes.substr(begin + length);
-  if (dim > data.size() / size || rows != data.size() / size / dim || rows * dim * size != data.size()) {
-    fail("an array of " + std::to_string(rows) + " x " + std::to_string(dim) + " numbers of " + std::to_string(size) +
-         " bytes is announced, but " + std::to_string(data.size()) + " bytes follow");
+  const std::uint64_t most = data.size() / size;  // numbers that are there
+  for (std::size_t axis = 0; axis < (axes == 1 ? 1 : axes - 1); ++axis) {
+    const std::uint64_t n = header->shape[axis];
+    if (n == 0 || dim == 0) fail("the array has no points");
+    rows = n > most || rows > most / n ? most + 1 : rows * n;
+    array.shape.push_back(n);
   }
-  PointSet points;
+  if (dim > most || rows != most / dim || rows * dim * size != data.size()) {
+    std::string announced;
+    for (const std::uint64_t n : header->shape) announced += (announced.empty() ? "" : " x ") + std::to_string(n);
+    fail("an array of " + announced + " numbers of " + std::to_string(size) + " bytes is announced, but " +
+         std::to_string(data.size()) + " bytes follow");
+  }
+  PointSet& points = array.points;
   points.dim = dim;
   points.columns = default_columns(points.dim);
   points.values.reserve(rows * dim);
   points.tokens.reserve(rows * dim);
+  const std::uint64_t columns = axes == 3 ? array.shape[1] : 1;
   for (std::size_t j = 0; j < rows; ++j) {
     for (std::size_t c = 0; c < dim; ++c) {
-      const std::size_t at = header->fortran_order ? c * rows + j : j * dim + c;
+      // Fortran order: the first axis runs fastest.
+      const std::size_t fortran = (c * columns + j % columns) * (rows / columns) + j / columns;
+      const std::size_t at = header->fortran_order ? fortran : j * dim + c;
       Number number = element(data.substr(at * size, size), descr[1], descr[0] == '>');
       if (!std::isfinite(number.value)) fail("row " + std::to_string(j) + ": not a number: " + quoted(number.token));
       points.values.push_back(number.value);
       points.tokens.push_back(std::move(number.token));
     }
   }
-  return points;
+  return array;
+}
+
+}  // namespace npy
+
+PointSet parse_npy(std::string_view bytes, const std::string& name) {
+  npy::Array array = npy::read_array(bytes, name);
+  if (array.shape.size() != 1) {
+    throw Error(Error::Kind::bad_input, name + ": an array with 1 or 2 axes is expected, not 3 (a grid)");
+  }
+  return std::move(array.points);
 }
 
 std::string to_npy(const PointSet& points) {

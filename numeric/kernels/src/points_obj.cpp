@@ -1,48 +1,42 @@
 // SPDX-License-Identifier: 0BSD
-// Points as Wavefront OBJ polylines.
+// Wavefront OBJ files: their elements, and points as polylines.
+#include <algorithm>
 #include <charconv>
 
+#include "obj.hpp"
 #include "points_text.hpp"
 
 namespace twoscale::kernels {
+namespace obj {
 namespace {
 
-// The point an `l` element names ("3", "-1", "3/7"), from 0.
-std::size_t element(std::string_view token, std::size_t points, const std::string& name, std::size_t line) {
+// The vertex an element names ("3", "-1", "3/7/2"), from 0; negative numbers count back from the vertices read so far.
+std::size_t vertex(std::string_view token, std::size_t so_far, std::size_t all, const std::string& name,
+                   std::size_t line) {
   const std::string_view digits = token.substr(0, token.find('/'));
   long long index = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-  const long long count = static_cast<long long>(points);
+  const long long count = static_cast<long long>(index < 0 ? so_far : all);
   if (error != std::errc() || end != digits.data() + digits.size() || index == 0 || index > count || index < -count) {
     text::fail_at(name, line, "not a point of the file: " + quoted(token));
   }
   return static_cast<std::size_t>(index > 0 ? index - 1 : count + index);
 }
 
-// The points of `all` in the order of the polyline.
-PointSet along(const PointSet& all, std::vector<std::size_t> order) {
-  PointSet points;
-  points.columns = all.columns;
-  points.dim = all.dim;
-  if (order.size() > 2 && order.front() == order.back()) {
-    points.closed = true;
-    order.pop_back();
-  }
-  for (const std::size_t j : order) {
-    for (std::size_t c = 0; c < all.dim; ++c) {
-      points.values.push_back(all.values[j * all.dim + c]);
-      points.tokens.push_back(all.tokens[j * all.dim + c]);
-    }
-  }
-  return points;
-}
+// An `l` or `f` line; its vertices may follow later in the file.
+struct Element {
+  std::vector<std::string> tokens;
+  std::size_t line = 0;
+  std::size_t so_far = 0;
+};
 
 }  // namespace
 
-PointSet parse_obj(std::string_view bytes, const std::string& name) {
-  PointSet points;
-  std::vector<std::string> polyline;
-  std::size_t polyline_line = 0, points_before = 0;
+File parse(std::string_view bytes, const std::string& name, bool with_faces) {
+  File file;
+  PointSet& points = file.vertices;
+  std::vector<Element> faces;
+  Element polyline;
   text::Lines lines(bytes);
   std::string_view line;
   while (lines.next(line)) {
@@ -61,12 +55,17 @@ PointSet parse_obj(std::string_view bytes, const std::string& name) {
       }
       for (std::size_t c = 1; c <= dim; ++c) text::append_number(points, fields[c], name, at);
     } else if (key == "l") {
-      if (polyline_line != 0) text::fail_at(name, at, "a second polyline: " + quoted(line));
-      polyline_line = at;
-      points_before = points.size();
-      polyline.assign(fields.begin() + 1, fields.end());
+      if (polyline.line != 0) text::fail_at(name, at, "a second polyline: " + quoted(line));
+      polyline = {{fields.begin() + 1, fields.end()}, at, points.size()};
+      if (polyline.tokens.empty()) text::fail_at(name, at, "a polyline without points");
     } else if (key == "f") {
-      text::fail_at(name, at, "faces are not a polygon to refine: " + quoted(line));
+      if (!with_faces) text::fail_at(name, at, "faces are not a polygon to refine: " + quoted(line));
+      if (fields.size() != 5) {
+        text::fail_at(
+            name, at,
+            "a face with " + std::to_string(fields.size() - 1) + " corners, a grid has quads: " + quoted(line));
+      }
+      faces.push_back({{fields.begin() + 1, fields.end()}, at, points.size()});
     } else if (key != "o" && key != "g" && key != "s" && key != "p" && key != "vt" && key != "vn" && key != "vp" &&
                key != "mtllib" && key != "usemtl") {
       text::fail_at(name, at, "not understood: " + quoted(line));
@@ -74,14 +73,42 @@ PointSet parse_obj(std::string_view bytes, const std::string& name) {
   }
   if (points.values.empty()) text::fail_at(name, std::max<std::size_t>(1, lines.number()), "the file has no points");
   points.columns = default_columns(points.dim);
-  if (polyline_line == 0) return points;
-  std::vector<std::size_t> order;
-  for (const std::string& token : polyline) {
-    // Negative indices count back from the points read so far.
-    order.push_back(element(token, token.front() == '-' ? points_before : points.size(), name, polyline_line));
+  file.polyline_line = polyline.line;
+  for (const std::string& token : polyline.tokens) {
+    file.polyline.push_back(vertex(token, polyline.so_far, points.size(), name, polyline.line));
   }
-  if (order.empty()) text::fail_at(name, polyline_line, "a polyline without points");
-  return along(points, std::move(order));
+  file.quads.reserve(faces.size());
+  for (const Element& face : faces) {
+    Quad quad{{}, face.line};
+    for (std::size_t c = 0; c < 4; ++c) {
+      quad.corners[c] = vertex(face.tokens[c], face.so_far, points.size(), name, face.line);
+    }
+    file.quads.push_back(quad);
+  }
+  return file;
+}
+
+}  // namespace obj
+
+PointSet parse_obj(std::string_view bytes, const std::string& name) {
+  obj::File file = obj::parse(bytes, name, false);
+  if (file.polyline_line == 0) return std::move(file.vertices);
+  const PointSet& all = file.vertices;
+  std::vector<std::size_t>& order = file.polyline;
+  PointSet points;
+  points.columns = all.columns;
+  points.dim = all.dim;
+  if (order.size() > 2 && order.front() == order.back()) {
+    points.closed = true;
+    order.pop_back();
+  }
+  for (const std::size_t j : order) {
+    for (std::size_t c = 0; c < all.dim; ++c) {
+      points.values.push_back(all.values[j * all.dim + c]);
+      points.tokens.push_back(all.tokens[j * all.dim + c]);
+    }
+  }
+  return points;
 }
 
 std::string to_obj(const PointSet& points, bool closed) {
@@ -91,14 +118,7 @@ std::string to_obj(const PointSet& points, bool closed) {
                 "points cannot be written as obj: it has 3 columns, not " + std::to_string(points.dim));
   }
   std::string out = "# polyline of twoscale\n";
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    out += 'v';
-    for (std::size_t c = 0; c < 3; ++c) {
-      out += ' ';
-      out += c < points.dim ? text::printed(points, j * points.dim + c) : "0";
-    }
-    out += '\n';
-  }
+  text::append_vertices(out, points);
   out += 'l';
   for (std::size_t j = 1; j <= points.size(); ++j) out += ' ' + std::to_string(j);
   if (closed && points.size() > 1) out += " 1";

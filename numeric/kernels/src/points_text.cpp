@@ -77,6 +77,17 @@ void check_points(const PointSet& points, const char* format) {
   }
 }
 
+void append_vertices(std::string& out, const PointSet& points) {
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    out += 'v';
+    for (std::size_t c = 0; c < 3; ++c) {
+      out += ' ';
+      out += c < points.dim ? printed(points, j * points.dim + c) : "0";
+    }
+    out += '\n';
+  }
+}
+
 std::vector<std::size_t> position_columns(const PointSet& points, std::size_t most) {
   std::vector<std::size_t> found;
   for (const char* name : {"x", "y", "z"}) {

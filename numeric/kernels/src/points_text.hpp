@@ -43,6 +43,13 @@ std::string printed(const PointSet& points, std::size_t index);
 /// Throws Error unless the sizes agree, the values are finite, the tokens decimals and there is a point.
 void check_points(const PointSet& points, const char* format);
 
+/// The `v` lines of an OBJ file, z = 0 (y = 0) where a set has fewer columns.
+void append_vertices(std::string& out, const PointSet& points);
+
+/// The rest of the header of a PLY file and its vertices: the columns and, where they miss, x, y, z = 0 as doubles.
+/// `other_elements`: header lines of the elements that follow.
+void append_ply_vertices(std::string& out, const PointSet& points, const std::string& other_elements);
+
 /// The columns that x, y, z are drawn from: those of these names, else the first ones (at most `most`).
 std::vector<std::size_t> position_columns(const PointSet& points, std::size_t most);
 

@@ -2,6 +2,7 @@
 // What the parts of the page share.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ Part figure_part(const Options& options, Summary& summary);
 Part tension_part();
 
 // ---- Pieces
+
+std::string page_style();
+// Makes the directory, and those above it. Throws Error(io).
+void make_directory(const std::filesystem::path& path);
 
 // <img> with the picture inside, and its file in figures/.
 std::string embedded(Part& part, const std::string& name, const std::string& alternative, const Picture& picture);
