@@ -6,7 +6,7 @@
 
 #include "spaces.hpp"
 #include "twoscale/symbolic/expression.hpp"
-#include "twoscale/symbolic/interpolatory.hpp"
+#include "twoscale/symbolic/mary_interpolatory.hpp"
 #include "twoscale/symbolic/symbol.hpp"
 
 namespace twoscale::bench {
@@ -21,7 +21,14 @@ void over_space(benchmark::State& state, const char* name, Job job) {
 }
 
 // What `twoscale derive` and every recipe call.
-void derive(benchmark::State& state, const char* name) { over_space(state, name, interpolating_symbol); }
+void derive(benchmark::State& state, const char* name) {
+  over_space(state, name, [](const Space& s) { return interpolating_symbol(s); });
+}
+
+// The same for arity 3: an even and an odd Hermite problem for the one phase that symmetry leaves.
+void ternary(benchmark::State& state, const char* name) {
+  over_space(state, name, [](const Space& s) { return interpolating_symbol(s, 3); });
+}
 
 // The engine for any space, where `derive` has a closed form.
 void generic(benchmark::State& state, const char* name) {
@@ -57,17 +64,19 @@ void ginac(benchmark::State& state, const char* name) {
   state.SetLabel(s.to_string());
 }
 
-#define TWOSCALE_FAMILIES(job, last)                                                          \
-  BENCHMARK_CAPTURE(job, mixed, "mixed")->ArgName("l")->DenseRange(2, last);                  \
-  BENCHMARK_CAPTURE(job, harmonic, "harmonic")->ArgName("l")->DenseRange(2, last);            \
+#define TWOSCALE_FAMILIES(job, last)                                               \
+  BENCHMARK_CAPTURE(job, mixed, "mixed")->ArgName("l")->DenseRange(2, last);       \
+  BENCHMARK_CAPTURE(job, harmonic, "harmonic")->ArgName("l")->DenseRange(2, last); \
   BENCHMARK_CAPTURE(job, resonant, "resonant")->ArgName("l")->DenseRange(2, last)
 #define TWOSCALE_OTHERS(job, one, several)                                                    \
   BENCHMARK_CAPTURE(job, lacunary, "lacunary")->ArgName("l")->DenseRange(2, one);             \
   BENCHMARK_CAPTURE(job, multiplicities, "multiplicities")->ArgName("l")->DenseRange(2, one); \
-  BENCHMARK_CAPTURE(job, two-frequencies, "two-frequencies")->ArgName("l")->DenseRange(2, several)
+  BENCHMARK_CAPTURE(job, two - frequencies, "two-frequencies")->ArgName("l")->DenseRange(2, several)
 
 TWOSCALE_FAMILIES(derive, 16);
 TWOSCALE_OTHERS(derive, 12, 8);
+TWOSCALE_FAMILIES(ternary, 12);
+TWOSCALE_OTHERS(ternary, 8, 5);
 TWOSCALE_FAMILIES(generic, 12);
 TWOSCALE_FAMILIES(hessenberg, 8);
 TWOSCALE_OTHERS(hessenberg, 8, 5);

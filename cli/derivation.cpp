@@ -111,14 +111,13 @@ Derivation derive(const Space& space, int arity, std::string scheme) {
   d.space = space;
   d.arity = arity;
   d.sigma = bspline_symbol(space, arity);
-  if (arity != 2) return d;
-  d.singular = singular_set(space);
-  if (space.dimension() % 2 == 0) {
+  d.singular = singular_set(space, arity);
+  if (has_interpolating_scheme(space, arity)) {
     Derivation::Interpolating i;
-    i.system = hessenberg_system(space);
-    i.folded = folded_system(space);
-    i.folded_determinant = folded_determinant(space, i.folded);
-    i.zeta = interpolating_symbol(space);
+    i.system = hessenberg_system(space, arity);
+    i.folded = folded_system(space, arity);
+    i.folded_determinant = folded_determinant(space, i.folded, arity);
+    i.zeta = interpolating_symbol(space, arity);
     d.interpolating = std::move(i);
   }
   return d;
@@ -307,14 +306,15 @@ std::string to_text(const Derivation& d) {
     out << "\nzeta = sigma*omega, " << d.space.dimension() << "-point interpolating, support [" << i.zeta.lowest()
         << ", " << i.zeta.highest() << "], p = 0, reproduces the space\n";
     print_mask(out, "zeta", i.zeta);
-  } else if (d.arity == 2) {
-    out << "\nno interpolating 2l-point scheme: the dimension is odd (sigma is dual)\n";
+  } else {
+    out << "\nno interpolating scheme: the dimension is odd" << (d.arity == 2 ? "" : ", the arity even")
+        << " (sigma is dual)\n";
   }
   if (d.mask) {
     out << "\na, the mask of the scheme, support [" << d.mask->lowest() << ", " << d.mask->highest() << "]\n";
     print_mask(out, "a", *d.mask);
   }
-  if (d.arity == 2) print_singular(out, d);
+  print_singular(out, d);
   return out.str();
 }
 
@@ -451,7 +451,7 @@ std::string to_markdown(const Derivation& d) {
     out << "## Mask of the scheme\n\n";
     table("a", *d.mask);
   }
-  if (d.arity == 2) out << "Singular: " << singular_text(d.singular) << "\n";
+  out << "Singular: " << singular_text(d.singular) << "\n";
   return out.str();
 }
 

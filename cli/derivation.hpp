@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "twoscale/symbolic/interpolatory.hpp"
+#include "twoscale/symbolic/mary_interpolatory.hpp"
 #include "twoscale/symbolic/quasi_spline.hpp"
 #include "twoscale/symbolic/scheme.hpp"
 
@@ -19,7 +19,7 @@ struct Derivation {
   int arity = 2;
   Laurent sigma;
   SingularSet singular;
-  // For even dimension and arity 2 only: the way to the interpolating scheme.
+  // The way to the interpolating scheme, where there is one: even dimension, or odd arity.
   struct Interpolating {
     HessenbergSystem system;
     FoldedSystem folded;

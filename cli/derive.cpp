@@ -18,7 +18,7 @@ void add_derive_command(CLI::App& app, Session& session) {
                             {"text", "json", "latex", "md"});
   c->add_option("scheme", o->scheme, "scheme name, e.g. interpolating:family=mixed,l=3")->type_name("SCHEME");
   c->add_option("--space", o->space, "comma list of functions, e.g. \"1,x,exp(t*x),exp(-t*x)\"")->type_name("SPACE");
-  c->add_option("--arity", o->arity, "arity m of sigma")->check(CLI::Range(2, 64));
+  c->add_option("--arity", o->arity, "arity m, 2 by default")->check(CLI::Range(2, 64));
   c->callback([&session, o] {
     session.action = [&session, o] {
       if (o->scheme.empty() == o->space.empty()) bad_input("derive: give either a scheme or --space");
@@ -29,12 +29,10 @@ void add_derive_command(CLI::App& app, Session& session) {
         d = derive(scheme);
       } else {
         const Space space = Space::parse(o->space);
-        const bool interpolating = o->arity == 2 && space.dimension() % 2 == 0;
-        std::string name =
-            SchemeName{interpolating ? "interpolating" : "exponential-bspline", {{"space", space.to_string()}}}
-                .to_string();
-        if (o->arity != 2) name += ",arity=" + std::to_string(o->arity);
-        d = derive(space, o->arity, name);
+        SchemeName name{has_interpolating_scheme(space, o->arity) ? "interpolating" : "exponential-bspline",
+                        {{"space", space.to_string()}}};
+        if (o->arity != 2) name.keys["arity"] = std::to_string(o->arity);
+        d = derive(space, o->arity, name.to_string());
       }
       const std::string& f = session.common.format;
       deliver(session.common, f == "json"    ? to_json(d).dump(1)

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "domain_sign.hpp"
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/exponential_sums.hpp"
 #include "twoscale/analysis/regularity.hpp"
@@ -298,6 +299,7 @@ struct Exceptions {
   bool by_condition = false;
   void add(const RationalFunction::Factors& factors, const Mask& mask) {
     by_condition = mask.data().levels.size() != 1 || !mask.data().constants.empty();
+    std::vector<std::pair<Polynomial, unsigned>> of_levels;
     for (const auto& [f, e] : factors) {
       if (!by_condition) {
         add_zeros(f, mask.arity(), zeros);
@@ -306,8 +308,13 @@ struct Exceptions {
       const bool level_only = std::none_of(f.variables().begin(), f.variables().end(), [&](const auto& n) {
         return std::find(mask.data().constants.begin(), mask.data().constants.end(), n) != mask.data().constants.end();
       });
-      if (!level_only || !f.all_coefficients_nonnegative()) conditions.insert(f.to_string());
+      if (level_only)
+        of_levels.emplace_back(f, e);
+      else
+        conditions.insert(f.to_string());
     }
+    for (const Polynomial& f : factors_to_list(of_levels, static_cast<int>(mask.arity())))
+      conditions.insert(f.to_string());
   }
   Json json() const {
     Json a = Json::array();

@@ -2,11 +2,10 @@
 #include "twoscale/symbolic/interpolatory.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "newton_quotient.hpp"
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/mary_interpolatory.hpp"
 
 namespace twoscale {
 
@@ -23,16 +22,6 @@ size_t half_dimension(const Space& space) {
         "an interpolating 2l-point scheme needs a space of even dimension, this one has dimension " + std::to_string(n),
         space.to_string());
   return n / 2;
-}
-
-// prod (2 + gamma_i) = prod 2 (1 + w_i): sigma(z) = 2 prod (z^2 + gamma_i z + 1) / this.
-FactoredPolynomial normalisation(const Space& space) {
-  FactoredPolynomial f;
-  for (const Node& n : nodes(space)) {
-    f.multiply(sum_of_nodes(space, n, Node{0, 0}));
-    f.content *= Rational(2);
-  }
-  return f;
 }
 
 // sum_i c_i w^i of an odd or even Laurent polynomial in z given by its values a_i at z^i + z^{-i}: from powers of w to
@@ -63,7 +52,8 @@ Laurent symmetric_interpolatory(std::vector<RationalFunction> odd) {
 
 }  // namespace
 
-Laurent interpolating_symbol(const Space& space) {
+Laurent interpolating_symbol(const Space& space, int arity) {
+  if (arity != 2) return mary_interpolating_symbol(space, arity);
   if (auto a = interpolating_symbol_harmonic(space)) return *std::move(a);
   if (auto a = interpolating_symbol_two_nodes(space)) return *std::move(a);
   return interpolating_symbol_by_divided_differences(space);
@@ -285,84 +275,6 @@ std::optional<Laurent> interpolating_symbol_harmonic(const Space& space) {
   return symmetric_interpolatory(std::move(odd));
 }
 
-HessenbergSystem hessenberg_system(const Space& space) {
-  const size_t l = half_dimension(space);
-  HessenbergSystem h;
-  std::vector<Polynomial> w = cosh_nodes(space);
-  for (const auto& x : w) h.nodes.push_back(Polynomial(2) * x);
-  const auto& g = h.nodes;
-  // P(x) = prod (x + gamma_i), S = 2 P / prod (2 + gamma_i); every node is its own partner.
-  std::vector<std::optional<size_t>> partner;
-  for (size_t i = 0; i < l; ++i) partner.emplace_back(i);
-  const NewtonQuotient newton = newton_quotient(g, g, partner, constant_data(l));
-  const FactoredPolynomial norm = normalisation(space);
-  const auto scaled = [&](const Polynomial& d) {
-    return RationalFunction::over_factors(Polynomial(2) * d, norm.content, norm.factors);
-  };
-  h.matrix.assign(l, std::vector<RationalFunction>(l));
-  for (size_t r = 1; r < l; ++r)
-    for (size_t m = 0; m <= r; ++m) h.matrix[r - 1][m] = scaled(newton.difference[m][r]);
-  h.matrix[l - 1][0] = 1;
-  // w_m = (prod (2 + gamma_i)) n_m / D_m, D_m = prod over pairs i <= j with i <= m of (gamma_i + gamma_j).
-  const std::vector<Node> node = nodes(space);
-  NodeSums sums(space);
-  FactoredPolynomial denominator;
-  const Polynomial scale = norm.expanded();
-  h.solution.resize(l);
-  for (size_t m = 0; m < l; ++m) {
-    for (size_t j = m; j < l; ++j) {
-      denominator.multiply(sums(node[m], node[j]));
-      denominator.content *= Rational(2);
-    }
-    h.solution[m] =
-        RationalFunction::over_factors(newton.numerator[m] * scale, denominator.content, denominator.factors);
-  }
-  h.rhs.assign(l, 0);
-  h.rhs[l - 1] = h.solution[0];
-  h.determinant = l % 2 == 1 ? 1 : -1;
-  for (size_t r = 1; r < l; ++r) {
-    FactoredPolynomial f;  // S(gamma_r) = 2 prod_j (gamma_r + gamma_j) / norm
-    for (size_t j = 0; j < l; ++j) {
-      f.multiply(sums(node[r], node[j]));
-      f.content *= Rational(2);
-    }
-    h.determinant *= RationalFunction::over_factors(f.expanded() * Polynomial(2), norm.content, norm.factors);
-  }
-  // omega over the last denominator; the products with scale are cancelled at the end.
-  const std::vector<Polynomial> omega = newton_expansion(g, newton.numerator, newton.tail);
-  // omega has symmetric coefficients: reduce one half only.
-  const size_t half = omega.size() / 2;
-  std::vector<RationalFunction> c(omega.size());
-  for (size_t i = 0; i <= half; ++i)
-    c[i] = c[omega.size() - 1 - i] =
-        RationalFunction::over_factors(omega[i] * scale, denominator.content, denominator.factors);
-  h.omega = Laurent(-static_cast<long>(half), std::move(c));
-  return h;
-}
-
-FoldedSystem folded_system(const Space& space) {
-  const long l = static_cast<long>(half_dimension(space));
-  const Laurent sigma = bspline_symbol(space).shifted(l);  // papers' indices 0..2l
-  FoldedSystem f;
-  f.matrix.assign(static_cast<size_t>(l), std::vector<RationalFunction>(static_cast<size_t>(l)));
-  f.rhs.assign(static_cast<size_t>(l), 0);
-  f.rhs.back() = 1;
-  for (long j = 1; j <= l; ++j)
-    for (long i = 0; i < l; ++i) {
-      auto& entry = f.matrix[static_cast<size_t>(j - 1)][static_cast<size_t>(i)];
-      if (j == l && space.polynomial_order() > 0)
-        entry = i < l - 1 ? 2 : 1;
-      else if (i < l - 1)
-        entry = sigma.coefficient(2 * j - 1 - i) + sigma.coefficient(2 * j + 1 - 2 * l + i);
-      else
-        entry = sigma.coefficient(2 * j - l);
-    }
-  f.hessenberg = true;
-  for (size_t r = 0; r < f.matrix.size(); ++r)
-    for (size_t c = r + 2; c < f.matrix.size(); ++c) f.hessenberg = f.hessenberg && f.matrix[r][c].is_zero();
-  return f;
-}
-
 namespace {
 
 // det by fraction-free elimination (Bareiss) of a matrix of polynomials, rows reduced in place; also the solution of
@@ -388,45 +300,6 @@ Polynomial bareiss(std::vector<std::vector<Polynomial>>& a) {
 }
 
 }  // namespace
-
-RationalFunction folded_determinant(const Space& space, const FoldedSystem& system) {
-  const size_t l = system.matrix.size();
-  const std::vector<Node> node = nodes(space);
-  NodeSums sums(space);
-  FactoredPolynomial zeros;
-  for (size_t i = 0; i < l; ++i)
-    for (size_t j = i; j < l; ++j) zeros.multiply(sums(node[i], node[j]));
-  const FactoredPolynomial norm = normalisation(space);
-  // Rows 1..l-1 carry one 1/norm each, the last one too unless it is (2,..,2,1) = the sum of all rows, whose entries
-  // are free of it; then one factor S(2) = 2 is the constant's.
-  Polynomial one_norm = 1;
-  for (const auto& [f, e] : norm.factors) one_norm *= f.pow(e);
-  RationalFunction shape = RationalFunction(zeros.expanded());
-  const RationalFunction unit = RationalFunction::over_factors(1, 1, norm.factors);
-  for (size_t r = 0; r < l; ++r) shape *= unit;
-  // The constant, at rational level variables.
-  std::vector<std::pair<std::string, Rational>> at;
-  for (const auto& v : space.variables()) at.emplace_back(v.name, Rational(static_cast<long>(at.size()) + 2));
-  std::vector<std::vector<Rational>> a(l, std::vector<Rational>(l));
-  for (size_t i = 0; i < l; ++i)
-    for (size_t j = 0; j < l; ++j) a[i][j] = *system.matrix[i][j].evaluate(at);
-  Rational det = 1;
-  for (size_t k = 0; k < l; ++k) {
-    size_t pivot = k;
-    while (pivot < l && a[pivot][k].is_zero()) ++pivot;
-    if (pivot == l) throw std::logic_error("folded_determinant: singular at v = 2");
-    if (pivot != k) {
-      std::swap(a[pivot], a[k]);
-      det = -det;
-    }
-    det *= a[k][k];
-    for (size_t i = k + 1; i < l; ++i) {
-      const Rational factor = a[i][k] / a[k][k];
-      for (size_t j = k; j < l; ++j) a[i][j] -= factor * a[k][j];
-    }
-  }
-  return RationalFunction(det / *shape.evaluate(at)) * shape;
-}
 
 Laurent omega_from_folded(const FoldedSystem& system) {
   const size_t l = system.matrix.size();
@@ -459,55 +332,6 @@ std::string cosine_text(const Rational& angle) {
 }
 
 std::string SingularSet::Value::exact() const { return cosine_text(angle); }
-
-SingularSet singular_set(const Space& space) {
-  const std::vector<Node> node = nodes(space);
-  const bool even = space.dimension() % 2 == 0;
-  // Sums whose vanishing stops a step: w_i + w_j for the interpolating scheme; 1 + w_i, the normalisation, for sigma
-  // alone.
-  std::vector<std::pair<Node, Node>> sums;
-  for (size_t i = 0; i < node.size(); ++i) {
-    if (even)
-      for (size_t j = i; j < node.size(); ++j) sums.emplace_back(node[i], node[j]);
-    else
-      sums.emplace_back(node[i], Node{0, 0});
-  }
-  return zeros_of_sums(space, sums);
-}
-
-SingularSet zeros_of_sums(const Space& space, const std::vector<std::pair<Node, Node>>& sums) {
-  SingularSet s;
-  if (space.variables().size() == 1) {
-    // v^{k+1} = cos(phi), phi < pi/2^{k+1}: cos(a phi) + cos(b phi) = 0 iff (a + b) phi or (a - b) phi is an odd
-    // multiple of pi. Then v^0 = cos(2^{k+1} phi).
-    std::set<std::pair<Rational, unsigned>> found;
-    for (const auto& [x, y] : sums) {
-      const unsigned a = std::max(x.multiple, y.multiple);
-      const unsigned b = std::min(x.multiple, y.multiple);
-      for (const unsigned n : {a + b, a - b}) {
-        if (n == 0) continue;
-        for (unsigned k = 0; (2UL << k) < n; ++k)
-          for (unsigned long odd = 1; (2UL << k) * odd < n; odd += 2)
-            found.emplace(Rational(static_cast<long>((2UL << k) * odd), static_cast<long>(n)), k);
-      }
-    }
-    for (const auto& [angle, level] : found) s.values.push_back({angle, level});
-    std::sort(s.values.begin(), s.values.end(),
-              [](const auto& a, const auto& b) { return a.angle != b.angle ? b.angle < a.angle : a.level < b.level; });
-    return s;
-  }
-  std::vector<Polynomial> factors;
-  for (const auto& [x, y] : sums)
-    for (const auto& [f, e] : sum_of_nodes(space, x, y).factors)
-      if (!f.all_coefficients_nonnegative() && std::find(factors.begin(), factors.end(), f) == factors.end())
-        factors.push_back(f);
-  // A factor with a non-negative expansion cannot vanish for positive level variables; every other one changes sign
-  // there: w_i + w_j is positive at (1, .., 1) and takes negative values as soon as a Chebyshev polynomial of degree >=
-  // 2 occurs.
-  std::sort(factors.begin(), factors.end(), [](const auto& a, const auto& b) { return a.to_string() < b.to_string(); });
-  s.conditions = std::move(factors);
-  return s;
-}
 
 std::vector<Polynomial> extension_weights(const Space& space, int arity) {
   // prod (y^2 - 2 cosh(theta/m^k) y + 1), cosh(n theta/m^k) = T_{m n}(v); an odd order leaves one factor (y - 1).

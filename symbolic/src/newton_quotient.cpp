@@ -63,20 +63,26 @@ NewtonData inverse_root_data(const std::vector<Node>& node, const std::vector<Po
   return d;
 }
 
-NewtonQuotient newton_quotient(const std::vector<Polynomial>& g, const std::vector<Polynomial>& gamma,
-                               const std::vector<std::optional<size_t>>& partner, const NewtonData& data) {
-  const size_t count = g.size();
-  std::vector<Polynomial> p{Polynomial(1)};
+Product linear_product(const std::vector<Polynomial>& g, const std::vector<Polynomial>& gamma) {
+  Product r{{Polynomial(1)}, std::vector<std::vector<Polynomial>>(g.size())};
+  auto& p = r.coefficients;
   for (const auto& c : gamma) {
     p.push_back(1);
     for (size_t j = p.size() - 2; j > 0; --j) p[j] = p[j - 1] + p[j] * c;
     p[0] = p[0] * c;
+    for (size_t i = 0; i < g.size(); ++i) r.at[i].push_back(g[i] + c);
   }
+  return r;
+}
+
+NewtonQuotient newton_quotient(const std::vector<Polynomial>& g, const Product& p,
+                               const std::vector<std::optional<size_t>>& partner, const NewtonData& data) {
+  const size_t count = g.size();
   NewtonQuotient r;
   // Repeated synthetic division: no quotient of differences, so equal nodes are no special case.
   r.difference.assign(count, std::vector<Polynomial>(count));
   for (size_t m = 0; m < count; ++m) {
-    std::vector<Polynomial> q = p;
+    std::vector<Polynomial> q = p.coefficients;
     for (size_t n = m; n < count && !q.empty(); ++n) {
       for (size_t j = q.size() - 1; j-- > 0;) q[j] += q[j + 1] * g[n];
       r.difference[m][n] = q[0];
@@ -84,10 +90,10 @@ NewtonQuotient newton_quotient(const std::vector<Polynomial>& g, const std::vect
     }
   }
   r.tail.assign(count, Polynomial(1));
-  std::vector<Polynomial> paired(count, Polynomial(1));  // prod (g_i + gamma_j) over the partners of earlier nodes
-  std::vector<bool> taken(gamma.size());
+  std::vector<Polynomial> paired(count, Polynomial(1));  // prod f_j(g_i) over the partners of earlier nodes
+  std::vector<bool> taken(count == 0 ? 0 : p.at[0].size());
   for (size_t i = 0; i < count; ++i) {
-    for (size_t j = 0; j < gamma.size(); ++j) (taken[j] ? paired : r.tail)[i] *= g[i] + gamma[j];
+    for (size_t j = 0; j < taken.size(); ++j) (taken[j] ? paired : r.tail)[i] *= p.at[i][j];
     if (partner[i]) taken[*partner[i]] = true;
   }
   // w_n P(g_n) = [..]F - sum_{m<n} [g_m..g_n]P w_m, times D_{n-1} E_n; paired[n] = P(g_n) / tail[n].

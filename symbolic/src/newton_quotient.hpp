@@ -2,7 +2,9 @@
 // Hermite interpolation of F/P in the Newton basis, with denominators known in advance: the engine of omega
 // (interpolatory.hpp) and of the quasi-splines (quasi_spline.hpp).
 //
-//   P(x) = prod_j (x + gamma_j)          the symbol of an exponential B-spline in x = z + 1/z, without its constant
+//   P(x) = prod_j f_j(x)                 the symbol of an exponential B-spline in x = z + 1/z, without its constant;
+//   binary:
+//                                        f_j = x + gamma_j
 //   g_0..g_{M-1}                         nodes; the interpolation conditions at equal ones are on derivatives
 //   q(x) = sum_m w_m prod_{i<m} (x - g_i)  with  P q = F  modulo  prod_i (x - g_i)
 // Taking divided differences of both sides (Leibniz) gives a lower triangular system:
@@ -31,19 +33,28 @@ NewtonData constant_data(size_t count);
 // must be adjacent. With x = z + 1/z this is F = 2/(z^{1/2} + z^{-1/2}), h = cosh of the half argument.
 NewtonData inverse_root_data(const std::vector<Node>& nodes, const std::vector<Polynomial>& h);
 
+// P by its coefficients, from the constant term, and the values of its factors at the nodes: at[i][j] = f_j(g_i).
+struct Product {
+  std::vector<Polynomial> coefficients;
+  std::vector<std::vector<Polynomial>> at;
+};
+// prod_j (x + gamma_j).
+Product linear_product(const std::vector<Polynomial>& nodes, const std::vector<Polynomial>& gamma);
+
 struct NewtonQuotient {
   std::vector<std::vector<Polynomial>> difference;  // [m][r], m <= r: [g_m..g_r]P
   // w_m = numerator[m] / (scale D_m E_m), D_m = prod_{i<=m} tail[i]; scale and E_m those of F.
   std::vector<Polynomial> numerator;
-  // tail[i] = prod (g_i + gamma_j) over the j that are no partner of an earlier node.
+  // tail[i] = prod f_j(g_i) over the j that are no partner of an earlier node.
   std::vector<Polynomial> tail;
 };
-// partner[i]: the j with gamma_j = g_i that stands for node i, each at most once; nullopt where there is none. A sum
-// g_i
-// + g_j of two nodes with partners then divides D only once, which is all that [..](1/P) has: it is a sum over chains 0
-// = i_0 <= i_1 <= .. of prod_j 1/prod_{i_{j-1} <= i <= i_j} (g_i + gamma_j), and the factors j taken in the order of
-// their partners never meet both (i, j) and (j, i).
-NewtonQuotient newton_quotient(const std::vector<Polynomial>& nodes, const std::vector<Polynomial>& gamma,
+// partner[i]: the factor j that stands for node i (gamma_j = g_i), each at most once; nullopt where there is none.
+// Required: f_j(g_i) is the same with both exchanged for two nodes with partners. It then divides D only once, which is
+// all that [..](1/P) has. Binary: it is a sum over chains 0 = i_0 <= i_1 <= .. of prod_j 1/prod_{i_{j-1} <= i <= i_j}
+// (g_i + gamma_j), and the factors j taken in the order of their partners never meet both (i, j) and (j, i). Any arity,
+// all nodes with partners: [g_0..g_m](1/P) = sum_i 1/(prod_j f_j(g_i) prod_{j != i} (g_i - g_j)), where every pair
+// occurs at most once in a term, and the differences g_i - g_j cancel because the sum is a polynomial in them.
+NewtonQuotient newton_quotient(const std::vector<Polynomial>& nodes, const Product& p,
                                const std::vector<std::optional<size_t>>& partner, const NewtonData& data);
 
 // The coefficients of z^{-d}..z^d, d = M-1, of sum_m numerator[m] (prod_{i>m} ratio[i]) prod_{i<m} (z - g_i + 1/z).

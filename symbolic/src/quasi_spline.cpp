@@ -88,7 +88,7 @@ QuasiSpline quasi_spline(const Space& space, const Space& reproduced) {
   }
   const size_t count = own.size();
   const NewtonData data = odd ? inverse_root_data(half_nodes, h) : constant_data(count);
-  const NewtonQuotient newton = newton_quotient(s.nodes, gamma, partner, data);
+  const NewtonQuotient newton = newton_quotient(s.nodes, linear_product(s.nodes, gamma), partner, data);
 
   // S = 2^{1-N} P, F = f/scale times what `data` says; w_m = factor n_m / (D_m E_m).
   const Rational to_s = Rational(2).pow(1 - static_cast<long>(space.dimension()));
@@ -138,7 +138,7 @@ QuasiSpline quasi_spline(const Space& space, const Space& reproduced) {
     for (const Node& x : all) conditions.emplace_back(own[i], x);
     for (size_t j = 0; odd && j <= i; ++j) conditions.emplace_back(half_nodes[i], half_nodes[j]);
   }
-  s.singular = zeros_of_sums(s.space, conditions);
+  s.singular = zeros_of_pairs(s.space, conditions);
   return s;
 }
 

@@ -83,6 +83,35 @@ FactoredPolynomial sum_of_nodes(const Space& space, const Node& a, const Node& b
   return with_content_of(value, std::move(factors));
 }
 
+FactoredPolynomial chebyshev_difference(const Space& space, const Node& a, const Node& b, int arity) {
+  const auto m = static_cast<unsigned>(arity);
+  const Polynomial x = node_polynomial(space, a);
+  const Polynomial y = node_polynomial(space, b);
+  const auto chebyshev_at = [&](const Node& n, const Polynomial& w) {
+    return n.multiple == 0 ? w : Polynomial::chebyshev(space.variables()[n.variable].name, m * n.multiple);
+  };
+  const Polynomial value = x == y ? Polynomial::chebyshev("x", m).derivative("x").substitute("x", x)
+                                  : Polynomial::exact_quotient(chebyshev_at(a, x) - chebyshev_at(b, y), x - y);
+  if (value.is_constant()) return {value.constant_value(), {}};
+  if (a.multiple != 0 && b.multiple != 0 && a.variable != b.variable) {
+    auto f = value.factor();
+    return {f.content, std::move(f.factors)};
+  }
+  const std::string& name = space.variables()[a.multiple == 0 ? b.variable : a.variable].name;
+  std::map<unsigned, unsigned> count;
+  for (const unsigned n :
+       {a.multiple + b.multiple, std::max(a.multiple, b.multiple) - std::min(a.multiple, b.multiple)})
+    for (unsigned d = 1; n > 0 && d <= m * n; ++d)
+      if ((m * n) % d == 0 && n % d != 0) ++count[d];
+  RationalFunction::Factors factors;
+  for (const auto& [d, e] : count)  // two factors Phi_2 make one v + 1
+    if (const unsigned exponent = d == 2 ? e / 2 : e; exponent > 0)
+      factors.emplace_back(Polynomial::cosine_minimal(name, d), exponent);
+  std::sort(factors.begin(), factors.end(),
+            [](const auto& p, const auto& q) { return Polynomial::compare(p.first, q.first) < 0; });
+  return with_content_of(value, std::move(factors));
+}
+
 Laurent centred(const Laurent& a) {
   if (a.is_zero()) return a;
   const long length = a.highest() - a.lowest();
@@ -114,15 +143,7 @@ Laurent bspline_symbol(const Space& space, int arity) {
   for (const Node& n : nodes(space)) {
     const auto f = pair_factor(n);
     multiply(f);
-    Polynomial at_one;
-    for (const auto& c : f) at_one += c;
-    if (m == 2) {
-      normalisation.multiply(sum_of_nodes(space, n, Node{0, 0}));
-      normalisation.content *= Rational(2);
-    } else {
-      auto g = at_one.factor();
-      normalisation.multiply({g.content, std::move(g.factors)});
-    }
+    normalisation.multiply(chebyshev_difference(space, n, Node{0, 0}, arity));
   }
   if (space.polynomial_order() % 2 == 1) {
     multiply(std::vector<Polynomial>(static_cast<size_t>(m), Polynomial(1)));

@@ -9,7 +9,7 @@
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
-#include "twoscale/symbolic/interpolatory.hpp"
+#include "twoscale/symbolic/mary_interpolatory.hpp"
 
 namespace twoscale::tests {
 namespace {
@@ -109,7 +109,7 @@ TEST_P(Contract, LimitIsTheStationarySchemeOfTheSameDimension) {
   if (scheme_.reproduced) {  // an exponential B-spline times a factor
     EXPECT_TRUE(Laurent::quotient(*limit, spline).has_value());
   } else if (is_interpolatory(scheme_)) {
-    EXPECT_EQ(*limit, interpolating_symbol_by_divided_differences(polynomials));
+    EXPECT_EQ(*limit, mary_interpolating_symbol(polynomials, scheme_.arity));
   } else {
     EXPECT_EQ(*limit, spline);
   }
@@ -227,7 +227,9 @@ TEST(Catalog, UnusableValuesAreNamed) {
   names("interpolating:family=mixed,l=3,space=\"1,x\"", "interpolating");
   names("interpolating:space=\"1,x,x^2\"", "1, x, x^2");
   names("interpolating:space=\"1,x,exp(t*x)\"", "exp(-t*x)");
-  names("interpolating:family=mixed,l=2,arity=3", "3");
+  names("interpolating:family=mixed,l=2,arity=1", "arity");
+  names("interpolating:space=\"1,x,x^2\",arity=4", "1, x, x^2");
+  names("interpolating:family=harmonic,l=128,arity=64", "l=128");
   names("exponential-bspline:space=1,x,foo(x)", "foo(x)");
   names("mask:coefficients=\"1,#\"", "#");
   names("mask:coefficients=\"1,-1\"", "sum 0");
@@ -249,6 +251,8 @@ TEST(Catalog, DifferentNamesOfOneScheme) {
   same("bspline:n=3", "mask:coefficients=\"1/8,1/2,3/4,1/2,1/8\"");
   same("bspline:n=2", "exponential-bspline:space=1,x,x^2");
   same("mixed:n=1", "exponential-bspline:space=\"cosh(t*x),sinh(t*x),1,x\"");
+  same("tension4:arity=3", "interpolating:arity=3,family=harmonic,l=2");
+  same("dd:l=2,arity=3", "mask:arity=3,coefficients=\"-4/81,-5/81,0,30/81,60/81,1,60/81,30/81,0,-5/81,-4/81\"");
   same("dd:l=3", "interpolating:space=\"1,x,x^2,x^3,x^4,x^5\"");
   same("mask:coefficients=[1/4,3/4,3/4,1/4]", "bspline:n=2");
 }

@@ -353,6 +353,34 @@ TEST(WellDefined, Refusals) {
   expect_valid(d.with(well_defined(conditions({"c^2+1"}), "positive-coefficients")));
 }
 
+/// T_3[x, y] is negative for small x, y and positive where x, y > cos(pi/3); x^2 + y^2 - 1 needs the irrational
+/// cos(pi/4).
+TEST(WellDefined, SeveralVariablesOfHigherArity) {
+  Document d;
+  d.variables = {{"v_s", "level", ""}, {"v_t", "level", ""}};
+  d.numerators = {"v_s", "v_t"};
+  const std::string ternary = "4*v_s^2+4*v_s*v_t+4*v_t^2-3";
+  const std::string quaternary = "v_s^2+v_t^2-1";
+  for (const auto& [denominator, from] : {std::pair{ternary, 3}, {quaternary, 4}}) {
+    d.denominator = denominator;
+    for (int m = 2; m <= 6; ++m) {
+      d.arity = m;
+      if (m >= from) {
+        expect_valid(d.with(well_defined(array({}), "positive-coefficients")));
+        expect_invalid(d.with(well_defined(conditions({denominator}), "positive-coefficients")), "cannot vanish");
+      } else {
+        expect_invalid(d.with(well_defined(array({}), "positive-coefficients")), "of one sign");
+        expect_valid(d.with(well_defined(conditions({denominator}), "positive-coefficients")));
+      }
+    }
+  }
+  d.arity = 4;  // a little more than 2 cos(pi/4)^2
+  d.denominator = "1000*v_s^2+1000*v_t^2-1001";
+  expect_invalid(d.with(well_defined(array({}), "positive-coefficients")), "of one sign");
+  d.denominator = "v_s^2-v_s*v_t+v_t^2-1";  // 0 at (1, 1): cannot be shown to be of one sign
+  expect_invalid(d.with(well_defined(array({}), "positive-coefficients")), "of one sign");
+}
+
 TEST(Refuted, WitnessesThatDoNotServe) {
   const auto at = texts({"2"});
   const auto sums = [&](long order, long power, std::vector<long> residues, std::vector<std::string> values,

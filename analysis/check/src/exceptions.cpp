@@ -25,6 +25,50 @@ int common_sign(const Polynomial& p, const std::vector<std::size_t>& constants) 
   return sign;
 }
 
+/// +1 or -1 if p shows one sign wherever v > cos(pi/m) for all level variables v: its coefficients, or for m > 2 those
+/// of p(cos(pi/m) + u), are of one sign. 0 if they are not, or a constant occurs.
+int domain_sign(const Polynomial& p, const Certificate& certificate, Meter& meter) {
+  if (const int sign = common_sign(p, certificate.constants); sign != 0 || certificate.arity == 2) return sign;
+  std::map<Monomial, Dense> shifted;  // coefficient of u^monomial as a polynomial in cos(pi/m)
+  for (const auto& [monomial, coefficient] : p) {
+    for (const std::size_t c : certificate.constants) {
+      if (monomial[c] != 0) return 0;
+    }
+    if (std::any_of(monomial.begin(), monomial.end(), [](int e) { return e < 0; })) return 0;
+    std::vector<std::pair<Monomial, Integer>> terms{{Monomial{}, coefficient}};
+    for (std::size_t i = 0; i < monomial.size(); ++i) {
+      std::vector<std::pair<Monomial, Integer>> next;
+      Integer binomial = 1;
+      for (int e = 0; e <= monomial[i]; ++e) {
+        for (const auto& [m, c] : terms) {
+          next.emplace_back(m, meter.multiply(c, binomial));
+          next.back().first[i] = e;
+          meter.spend(100);
+        }
+        binomial = meter.multiply(binomial, monomial[i] - e) / (e + 1);
+      }
+      terms = std::move(next);
+    }
+    int degree = 0;
+    for (const int e : monomial) degree += e;
+    for (const auto& [m, c] : terms) {
+      int power = degree;
+      for (const int e : m) power -= e;
+      Dense& target = shifted[m];
+      if (target.size() <= static_cast<std::size_t>(power)) target.resize(static_cast<std::size_t>(power) + 1);
+      target[static_cast<std::size_t>(power)] += c;
+    }
+  }
+  int common = 0;
+  for (auto& [monomial, coefficient] : shifted) {
+    while (!coefficient.empty() && coefficient.back() == 0) coefficient.pop_back();
+    const int sign = sign_at_cos(coefficient, certificate.arity, meter);
+    if (sign != 0 && common != 0 && sign != common) return 0;
+    if (sign != 0) common = sign;
+  }
+  return common;
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> root_order(const Angle& angle, int arity) {
@@ -95,7 +139,7 @@ Exceptions::Exceptions(const Value& value, const Certificate& certificate, const
         throw Malformed(path + ": conditions must be distinct and sorted");
       const bool can_vanish = certificate.single_level()
                                   ? has_zero_beyond_cos(dense(condition), certificate.arity, meter)
-                                  : common_sign(condition, certificate.constants) == 0;
+                                  : domain_sign(condition, certificate, meter) == 0;
       if (!can_vanish) throw Refused(path + ": cannot vanish on the domain");
       conditions_.push_back({text, std::move(condition)});
     }
@@ -153,7 +197,7 @@ void Exceptions::several(Polynomial p, const std::string& what) {
       condition.used = true;
     }
   }
-  if (common_sign(p, certificate_.constants) == 0) {
+  if (domain_sign(p, certificate_, meter_) == 0) {
     throw Refused(
         what + ": after division by the listed conditions the coefficients are not of one sign, or constants remain");
   }

@@ -42,7 +42,8 @@ constexpr std::array<Theorem, 13> list{{
      "number divides it, which comes from the cyclotomic polynomial of the order of exp(i*alpha*pi)."},
     {"positive-coefficients", "elementary",
      "A polynomial that is not 0 and has no negative (or no positive) coefficient has no zero where all its variables"
-     " are positive. The level variables are positive: v > cos(pi/m^{k+1}) >= 0 at the step k -> k+1."},
+     " are positive. The level variables are positive, v > cos(pi/m^{k+1}) >= cos(pi/m) >= 0 at the step k -> k+1, and "
+     "so are v - cos(pi/m), in which the polynomial is written for arities m > 2."},
     {"bernstein", "elementary; Bernstein's basis is nonnegative",
      "Put x = (low*u + high*t)/(u + t), on a half-line x = low + t/u, for each variable, with u, t >= 0, and clear "
      "u + t or u. If the form in the pairs (u, t) has no negative coefficient, the polynomial is not negative on the "

@@ -304,30 +304,47 @@ Dense cosine_sum(const std::vector<Integer>& g, Meter& meter) {
   return later;
 }
 
+namespace {
+
+/// Rationals low/scale <= cos(pi/m) <= high/scale, with equality only for m = 2, 3.
+struct CosineBracket {
+  CosineBracket(int arity, Meter& of) : m(arity), meter(of) {
+    for (int i = 0; m > 3 && i < 24; ++i) refine();
+  }
+  void refine() {
+    low *= 2, high *= 2, scale *= 2;
+    const Integer middle = (low + high) / 2;
+    (beyond_cos(middle, scale, m, meter) ? high : low) = middle;
+  }
+  int m;
+  Meter& meter;
+  Integer low = m == 3 ? 1 : 0;
+  Integer high = m == 2 ? 0 : m == 3 ? 1 : 2;
+  Integer scale = 2;
+};
+
+}  // namespace
+
+int sign_at_cos(const Dense& p, int m, Meter& meter) {
+  if (p.empty() || cosine_divides(p, 2 * static_cast<std::uint64_t>(m), meter)) return 0;
+  CosineBracket c(m, meter);
+  while (zeros_within(p, {c.low, c.scale}, {c.high, c.scale}, meter) > 0) c.refine();  // ends because p(cos) is not 0
+  return sign_at(p, c.low, c.scale, meter);
+}
+
 bool has_zero_beyond_cos(const Dense& polynomial, int m, Meter& meter) {
   // The end point does not belong to the interval. Its conjugates cos(j pi/m), j odd, lie to the left of it.
   Dense p = polynomial;
   divide_out_cosine(p, 2 * static_cast<std::uint64_t>(m), meter);
   if (p.size() <= 1) return false;
-
-  // low/scale <= cos(pi/m) <= high/scale, with equality only for m = 2, 3.
-  Integer low = m == 3 ? 1 : 0;
-  Integer high = m == 2 ? 0 : m == 3 ? 1 : 2;
-  Integer scale = 2;
-  const bool exact = m <= 3;
-  const auto refine = [&] {
-    low *= 2, high *= 2, scale *= 2;
-    const Integer middle = (low + high) / 2;
-    (beyond_cos(middle, scale, m, meter) ? high : low) = middle;
-  };
-  for (int i = 0; !exact && i < 24; ++i) refine();
-  if (variations_beyond(p, low, scale, meter) == 0) return false;
+  CosineBracket c(m, meter);
+  if (variations_beyond(p, c.low, c.scale, meter) == 0) return false;
 
   const SturmChain chain(p, meter);
   while (true) {  // ends because p does not vanish at cos(pi/m)
-    if (sign_at(p, low, scale, meter) != 0 && chain.zeros_beyond(low, scale, meter) == 0) return false;
-    if (sign_at(p, high, scale, meter) == 0 || chain.zeros_beyond(high, scale, meter) > 0) return true;
-    refine();
+    if (sign_at(p, c.low, c.scale, meter) != 0 && chain.zeros_beyond(c.low, c.scale, meter) == 0) return false;
+    if (sign_at(p, c.high, c.scale, meter) == 0 || chain.zeros_beyond(c.high, c.scale, meter) > 0) return true;
+    c.refine();
   }
 }
 

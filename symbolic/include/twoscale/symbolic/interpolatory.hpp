@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From an approximating exponential spline scheme to the 2l-point interpolating one: omega and zeta = sigma omega.
 //
-// Notation (V has even dimension 2l; pairs +-theta_i, i = 0..l-1):
+// Binary notation (any arity, and odd dimensions: mary_interpolatory.hpp); V has even dimension 2l; pairs +-theta_i, i
+// = 0..l-1:
 //   w_i = cosh(theta_i/2^{k+1})                         the nodes (space.hpp)
 //   gamma_i = 2 w_i                                     sigma = const prod (z^2 + gamma_i z + 1)
 //   x = z + 1/z, w = x/2, u = w^2
@@ -21,11 +22,11 @@
 
 namespace twoscale {
 
-// zeta, centred on 0, of the 2l-point interpolating binary scheme of the space (dimension 2l >= 2).
-// Throws Error(bad_input) if the dimension is odd. Cost: O(l^2) polynomial products (route 3); for the harmonic spaces
-// {1, x, e^{+-jtx} : j < l} an exponent count of cyclotomic factors; for two different nodes, one simple, O(l)
-// products.
-Laurent interpolating_symbol(const Space& space);
+// zeta, centred on 0, of the interpolating scheme of the space: 2l points, dimension 2l >= 2; for odd arity also 2l+1.
+// Throws Error(bad_input) if there is none. Cost for arity 2: O(l^2) polynomial products (route 3); for the harmonic
+// spaces {1, x, e^{+-jtx} : j < l} an exponent count of cyclotomic factors; for two different nodes, one simple, O(l)
+// products. Arity m > 2: O(m l^2) products.
+Laurent interpolating_symbol(const Space& space, int arity = 2);
 
 // The engines behind it, for tests and benchmarks. The first takes any space: divided differences of u^{-1/2} at the
 // w_i^2 with numerators in Z[v] over the denominators prod w_i prod (w_i + w_j), confluent blocks in closed form.
@@ -45,34 +46,40 @@ std::optional<Laurent> interpolating_symbol_harmonic(const Space& space);
 // nullopt for any other space.
 std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space);
 
-// Route 1. matrix * solution = rhs; omega(z) = sum_m solution[m] z^{l-1-m} prod_{i<m} (z^2 - gamma_i z + 1).
+// Route 1. matrix * solution = rhs; omega(z) = sum_i solution[i] z^{n-1-i} prod_{j<i} (z^2 - gamma_j z + 1), n nodes:
+// l, and l + 1 for an odd dimension.
 struct HessenbergSystem {
-  std::vector<Polynomial> nodes;  // gamma_0..gamma_{l-1}
+  std::vector<Polynomial> nodes;  // gamma_0..gamma_{n-1}
   std::vector<std::vector<RationalFunction>>
-      matrix;                              // row r < l-1: [gamma_m..gamma_{r+1}] S, m = 0..r+1; last (1,0,..)
-  std::vector<RationalFunction> rhs;       // (0,..,0, w_0), w_0 = 2/S(gamma_0)
-  std::vector<RationalFunction> solution;  // w_0..w_{l-1}
-  RationalFunction determinant;            // (-1)^{l-1} prod_{r>=1} S(gamma_r)
+      matrix;                              // row r < n-1: [gamma_i..gamma_{r+1}] S, i = 0..r+1; last (1,0,..)
+  std::vector<RationalFunction> rhs;       // (0,..,0, w_0), w_0 = m/S(gamma_0)
+  std::vector<RationalFunction> solution;  // w_0..w_{n-1}
+  RationalFunction determinant;            // (-1)^{n-1} prod_{r>=1} S(gamma_r)
   Laurent omega;                           // centred on 0
 };
-HessenbergSystem hessenberg_system(const Space& space);
+HessenbergSystem hessenberg_system(const Space& space, int arity = 2);
 
-// Route 2. Unknowns omega_0..omega_{l-1} (papers' indices); row j = 1..l-1: sigma_{2j-1-i} + sigma_{2j+1-2l+i} for
-// i < l-1 and sigma_{2j-l} for i = l-1, right side 0; last row: the same formula with j = l, right side 1, and
-// (2,..,2,1) when 1 is in V, which is the sum of all rows.
+// Route 2. Unknowns omega_0..omega_{n-1} (papers' indices; the last is the middle one). Row j = 1..n is the coefficient
+// of z^{m(n-j)} in sigma omega, 0 and in the last row 1: with d = n-1-i the coefficient of omega_i is sigma_{m(n-j)-d}
+// + sigma_{m(n-j)+d}, and sigma_{m(n-j)} for d = 0 (centred indices). When 1 is in V the last row is (2,..,2,1), the
+// sum over all shifts of the rule.
 struct FoldedSystem {
   std::vector<std::vector<RationalFunction>> matrix;
   std::vector<RationalFunction> rhs;
   bool hessenberg;  // no entry above the first superdiagonal
 };
-FoldedSystem folded_system(const Space& space);
-// Determinant: a constant times prod_{i<=j} (gamma_i + gamma_j) over the normalisation (Orlando); the constant is read
-// off at one rational point.
-RationalFunction folded_determinant(const Space& space, const FoldedSystem& system);
+FoldedSystem folded_system(const Space& space, int arity = 2);
+// A constant times prod_{i<=j} T_m[w_i, w_j] (binary: gamma_i + gamma_j; Orlando) over a power of the normalisation,
+// and times prod_i D(w_i) for an odd dimension: the matrix maps W to a polynomial in T_m(w) whose values at the nodes
+// are S(w_i) W(w_i)/m. The constant is read off at one rational point.
+RationalFunction folded_determinant(const Space& space, const FoldedSystem& system, int arity = 2);
 // Solves the system by fraction-free elimination and unfolds: omega centred on 0.
 Laurent omega_from_folded(const FoldedSystem& system);
 
-// Where a step of the interpolating scheme (even dimension) or the normalisation sigma(1) = 2 (odd) fails.
+// Where a step of the interpolating scheme fails, T_m[w_i, w_j] = 0 for some pair of nodes, i = j included (binary: w_i
+// + w_j = 0); where there is no such scheme, the normalisation sigma(1) = m. With one trigonometric variable, w_i =
+// cos(a phi), w_j = cos(b phi): phi = 2 pi r/(m n), n = a + b or |a - b|, m not dividing r, so v^0 = cos(2 m^k r/n pi)
+// at level k.
 struct SingularSet {
   // v^0 = cos(angle*pi), 0 < angle < 1, at level k; sorted by v^0 ascending, then level. One trigonometric variable.
   struct Value {
@@ -82,12 +89,12 @@ struct SingularSet {
     friend bool operator==(const Value&, const Value&) = default;
   };
   std::vector<Value> values;
-  // With several frequencies: the factors that vanish somewhere on the domain (all level variables > 0).
+  // With several frequencies: the factors that vanish somewhere on the domain (all level variables > cos(pi/m)).
   std::vector<Polynomial> conditions;
 };
-SingularSet singular_set(const Space& space);
-// Where on the domain one of the sums w_a + w_b (a = b: 2 w_a) vanishes.
-SingularSet zeros_of_sums(const Space& space, const std::vector<std::pair<Node, Node>>& sums);
+SingularSet singular_set(const Space& space, int arity = 2);
+// Where on the domain T_m[w_a, w_b] vanishes for one of the pairs; binary: one of the sums w_a + w_b (a = b: 2 w_a).
+SingularSet zeros_of_pairs(const Space& space, const std::vector<std::pair<Node, Node>>& pairs, int arity = 2);
 // cos(angle*pi) as an expression: "0", "1/2", "-1/2" or "cos(4*pi/5)".
 std::string cosine_text(const Rational& angle);
 

@@ -29,5 +29,11 @@ struct FactoredPolynomial {
 // T_a(x) + T_b(y) for the variables of the two nodes. Same variable: products of minimal polynomials of cosines, read
 // off from (E^{a+b} + 1)(E^{a-b} + 1)/(2 E^a) without any factoring algorithm.
 FactoredPolynomial sum_of_nodes(const Space& space, const Node& a, const Node& b);
+// The divided difference T_m[w_a, w_b] = (T_m(w_a) - T_m(w_b))/(w_a - w_b), and T_m'(w_a) for equal nodes: the factor
+// of e^{+-theta_b} in an m-ary sigma at the node w_a; 2 (w_a + w_b) for m = 2. It is
+//   sinh(m (alpha + beta)/2) sinh(m (alpha - beta)/2) / (sinh((alpha + beta)/2) sinh((alpha - beta)/2)),
+// w_a = cosh(alpha), w_b = cosh(beta), so that in one variable its factors are those Phi_d(E) with d | m n and not d |
+// n, n = a + b and |a - b|.
+FactoredPolynomial chebyshev_difference(const Space& space, const Node& a, const Node& b, int arity);
 
 }  // namespace twoscale

@@ -79,6 +79,9 @@ Dense cosine_sum(const std::vector<Integer>& g, Meter& meter);
 /// Sign of p(a/b), b > 0.
 int sign_at(const Dense& p, const Integer& a, const Integer& b, Meter& meter);
 
+/// Sign of p(cos(pi/m)), m >= 2.
+int sign_at_cos(const Dense& p, int m, Meter& meter);
+
 /// Decides whether p (not zero) has a real zero in the open interval (cos(pi/m), infinity), m >= 2.
 bool has_zero_beyond_cos(const Dense& p, int m, Meter& meter);
 
