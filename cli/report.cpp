@@ -21,9 +21,9 @@ namespace {
 
 namespace romani2009 = reports::romani2009;
 
-romani2009::Verdict check_certificate(std::string_view text) {
+reports::CheckerVerdict check_certificate(std::string_view text) {
   const check::Report report = check::check_text(text);
-  romani2009::Verdict v{report.status == check::Report::valid, report.lines};
+  reports::CheckerVerdict v{report.status == check::Report::valid, report.lines};
   if (!report.message.empty()) v.lines.push_back(report.message);
   return v;
 }
@@ -89,10 +89,7 @@ int report_scheme(const std::string& subject, const Values& values, const Common
   options.threads =
       common.threads > 0 ? common.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.progress = progress_of(common);
-  options.checker = [](std::string_view text) {
-    const romani2009::Verdict v = check_certificate(text);
-    return reports::CheckerVerdict{v.valid, v.lines};
-  };
+  options.checker = check_certificate;
   const reports::SchemeReportSummary s = reports::write_scheme_report(scheme, common.output, options);
   if (options.progress) std::cerr << "\r\033[K" << std::flush;
   if (common.format == "json")

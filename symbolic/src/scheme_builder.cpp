@@ -305,9 +305,10 @@ class SchemeBuilder {
     const Entry& at = file_.symbol_.present() ? file_.symbol_ : file_.phases_.front().residue;
     if (!a.is_zero() && a.highest() - a.lowest() >= longest_mask)
       fail(at, "the mask has more than 4096 coefficients", std::to_string(a.highest() - a.lowest() + 1));
+    const auto shift = given_shift();
     return reading(at, file_.symbol_.present() ? "symbol" : "phases", [&] {
       try {
-        return Scheme::from_symbol(file_.name_.text, a, arity_, parameters_, given_shift());
+        return Scheme::from_symbol(file_.name_.text, a, arity_, parameters_, shift);
       } catch (const Error& e) {
         if (std::string(e.what()).starts_with("the centre"))
           bad_input("the centre of the mask depends on a parameter: the key shift is needed", file_.name_.text);

@@ -54,7 +54,8 @@ std::string list_of(const std::vector<std::string>& words) {
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
   const auto best = std::min_element(
       known.begin(), known.end(), [&](const auto& a, const auto& b) { return distance(word, a) < distance(word, b); });
-  if (best != known.end() && word.size() < 64 && distance(word, *best) <= std::max<std::size_t>(1, best->size() / 3))
+  if (best != known.end() && word.size() < 64 &&
+      distance(word, *best) <= std::max<std::size_t>(word.size() < 4 ? 1 : 2, best->size() / 3))
     return ", did you mean " + *best + "?";
   return ", it is none of " + list_of(known);
 }
@@ -434,7 +435,7 @@ std::string scheme_file_template(const std::string& name) {
       {"phase", "residue", "1"},
       {"phase", "stencil", "{\"-1\" = \"b\", \"0\" = \"2/3 - 2*b\", \"1\" = \"1/3 + b\"}"},
       {"phase", "residue", "2"},
-      {"phase", "stencil", "{\"-1\" = \"1/3 + b\", \"0\" = \"2/3 - 2*b\", \"1\" = \"b\"}"},
+      {"phase", "stencil", "{\"0\" = \"1/3 + b\", \"1\" = \"2/3 - 2*b\", \"2\" = \"b\"}"},
       {"claim", "claim", "\"interpolatory\""},
       {"claim", "subject", ""},
       {"claim", "source", ""},

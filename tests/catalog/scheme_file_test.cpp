@@ -38,7 +38,7 @@ const std::string chaikin = head + "symbol = \"(1+z)^3/(4*z)\"\n";
 
 void expect_refused(const std::string& text, const std::string& place, const std::string& piece) {
   const std::string what = refusal(text);
-  EXPECT_EQ(what.rfind(place + ":", 0), 0U) << what << "\nfor\n" << text;
+  EXPECT_EQ(what.rfind(place + (place.ends_with(":") ? "" : ":"), 0), 0U) << what << "\nfor\n" << text;
   EXPECT_NE(what.find(piece), std::string::npos) << what << "\nfor\n" << text;
 }
 
@@ -177,7 +177,7 @@ TEST(SchemeFile, WrongTypes) {
   expect_refused(head + "[[phase]]\nresidue = 0\nstencil = {\"0\" = 0.5}\n", "5:18", "floating-point");
   expect_refused(head + "[phase]\nresidue = 0\n", "3:1", "double brackets");
   expect_refused(head + "[[phase]]\nresidue = 0\n", "3:1", "stencil");
-  expect_refused(head + "phase = [1]\n[[claim]]\n", "3:", "unknown key");
+  expect_refused(head + "phase = [1]\n", "3:1", "unknown key");
 }
 
 TEST(SchemeFile, RangesAndPhases) {
@@ -195,7 +195,7 @@ TEST(SchemeFile, RangesAndPhases) {
   expect_refused(head + even + "[[phase]]\nresidue = 1\nstencil = {}\n", "8:11", "empty");
   for (const char* offset : {"01", "+1", "a", "1.0", "-0", "", "9999"})
     expect_refused(head + even + "[[phase]]\nresidue = 1\nstencil = {\"" + offset + "\" = 1}\n", "8:12", "offsets");
-  expect_refused(head + even + "[[phase]]\nresidue = 1\nstencil = {\"0\" = 1, \"0\" = 2}\n", "8:", "");
+  expect_refused(head + even + "[[phase]]\nresidue = 1\nstencil = {\"0\" = 1, \"0\" = 2}\n", "8:27", "redefine");
   expect_refused(head + even + "[[phase]]\nresidue = 1\nstencil = {\"0\" = [[1, 0], [0, 1]]}\n", "8:20",
                  "one expression");
   expect_refused(head + even + "[[phase]]\nresidue = 1\nstencil = {\"0\" = [[1, 0], [0]]}\n", "8:27", "square");
@@ -210,10 +210,10 @@ TEST(SchemeFile, Expressions) {
   expect_refused(head + "symbol = \"1-z\"\n", "3:10", "sum 0");
   expect_refused(head + "symbol = \"0\"\n", "3:10", "zero");
   expect_refused(head + "symbol = \"sqrt(z)\"\n", "3:10", "symbol");
-  expect_refused(head + "symbol = \"1+z^5000\"\n", "3:10", "");
+  expect_refused(head + "symbol = \"1+z^5000\"\n", "3:19", "too large");
   expect_refused(head + "symbol = \"1+z^4096\"\n", "3:10", "4096 coefficients");
-  expect_refused(head + "symbol = \"(1+z)*(w+1)/2\"\n", "3:17", "not declared: w");
-  expect_refused(head + "shift = \"1/0\"\nsymbol = \"1+z\"\n", "3:9", "shift");
+  expect_refused(head + "symbol = \"(1+z)*(w+1)/2\"\n", "3:18", "not declared: w");
+  expect_refused(head + "shift = \"1/0\"\nsymbol = \"1+z\"\n", "3:13", "shift");
   expect_refused(head + "shift = \"pi\"\nsymbol = \"1+z\"\n", "3:9", "shift");
   expect_refused(head + "space = \"1, x, exp(t*x)\"\nsymbol = \"1+z\"\n", "3:9", "exp(-t*x)");
   expect_refused(head +
@@ -230,18 +230,18 @@ TEST(SchemeFile, Parameters) {
   expect_refused(with("scope = \"constant\"\ndomain = \"0..1\"\n"), "6:10", "not an interval");
   expect_refused(with("scope = \"constant\"\ndomain = \"[1, 0]\"\n"), "6:10", "smaller");
   expect_refused(with("scope = \"constant\"\ndomain = \"(0, 1/2)\"\ndefault = \"1/2\"\n"), "7:11", "outside (0, 1/2)");
-  expect_refused(with("scope = \"constant\"\ndefault = \"1/0\"\n"), "6:11", "default");
+  expect_refused(with("scope = \"constant\"\ndefault = \"1/0\"\n"), "6:15", "default");
   expect_refused(with("scope = \"constant\"\nrelation = \"w^2\"\n"), "6:12", "scope level");
   expect_refused(with("scope = \"constant\"\noffsets = [0]\n"), "6:11", "scope local");
   expect_refused(with("scope = \"level\"\n"), "5:9", "relation");
   expect_refused(with("scope = \"level\"\nrelation = \"1/w\"\ndomain = \"(0, 1)\"\n"), "6:12", "not a polynomial");
   expect_refused(with("scope = \"level\"\nrelation = \"w^2\"\n"), "6:12", "domain");
-  expect_refused(with("scope = \"level\"\nrelation = \"w^2+y\"\ndomain = \"(0, 1)\"\n"), "6:12", "y");
+  expect_refused(with("scope = \"level\"\nrelation = \"w^2+y\"\ndomain = \"(0, 1)\"\n"), "6:17", "y");
   expect_refused(with("scope = \"local\"\n"), "5:9", "offsets");
   expect_refused(with("scope = \"local\"\noffsets = []\n"), "6:11", "non-empty");
   expect_refused(with("scope = \"local\"\noffsets = [0, 0]\n"), "6:15", "twice");
   expect_refused(with("scope = \"local\"\noffsets = [0, \"1\"]\n"), "6:15", "without quotes");
-  expect_refused(with("scope = \"local\"\noffsets = [0]\n"), "3:", "w_0");
+  expect_refused(with("scope = \"local\"\noffsets = [0]\n"), "3:18", "NAME_0");
   expect_refused(with("scope = \"constant\"\n[parameters.q]\nscope = \"constant\"\n"), "6:13",
                  "declared and not used: q");
   for (const char* name : {"z", "x", "pi", "I", "exp"})
@@ -257,7 +257,7 @@ TEST(SchemeFile, Claims) {
   const auto claim = [](const std::string& text) { return chaikin + "[[claim]]\n" + text; };
   expect_refused(claim("subject = 1\n"), "4:1", "claim");
   expect_refused(claim("claim = \"reproduces\"\n"), "5:9", "space");
-  expect_refused(claim("claim = \"reproduces\"\nsubject = \"1, y\"\n"), "6:11", "y");
+  expect_refused(claim("claim = \"reproduces\"\nsubject = \"1, y\"\n"), "6:15", "y");
   expect_refused(claim("claim = \"sum-rules\"\n"), "5:9", "order");
   expect_refused(claim("claim = \"sum-rules\"\nsubject = 0\n"), "6:11", "order");
   expect_refused(claim("claim = \"continuity\"\nsubject = \"one\"\n"), "6:11", "one");
@@ -332,7 +332,7 @@ TEST(SchemeFile, SchemaIsTheParser) {
                               : k.table == std::string("scheme")        ? "[scheme]"
                                                                         : std::string("[[") + k.table + "]]";
     const std::string what = refusal(table + "\n" + k.key + " = " + value + "\n");
-    EXPECT_EQ(what.find("unknown"), std::string::npos) << what;
+    EXPECT_EQ(what.find("unknown key"), std::string::npos) << what;
     const std::string wrong = refusal(table + "\n" + k.key + " = 1979-05-27\n");
     EXPECT_EQ(wrong.find("unknown key"), std::string::npos) << wrong;
   }

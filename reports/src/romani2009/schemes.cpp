@@ -87,7 +87,7 @@ std::string article(const SixPoint& which, const Options& options, Part& part, S
     part.files.emplace_back(file, proof.certificate);
     checked = fmt::format("<a href=\"{}\">Certificate</a>", file);
     if (options.checker) {
-      const Verdict v = options.checker(proof.certificate);
+      const CheckerVerdict v = options.checker(proof.certificate);
       summary.all_certificates_valid = summary.all_certificates_valid && v.valid;
       std::string lines;
       for (const auto& line : v.lines) lines += escaped(line) + "\n";

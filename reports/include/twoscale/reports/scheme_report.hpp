@@ -6,19 +6,13 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "twoscale/reports/checker.hpp"
 #include "twoscale/symbolic/scheme.hpp"
 
 namespace twoscale::reports {
-
-// An independent checker of certificates: its lines for people, and whether it accepts.
-struct CheckerVerdict {
-  bool valid = false;
-  std::vector<std::string> lines;
-};
 
 struct SchemeReportOptions {
   std::string name;  // what the user calls the scheme: its id, or the path of its file; for the commands
@@ -29,8 +23,8 @@ struct SchemeReportOptions {
   std::vector<std::pair<std::string, std::string>> at;
   double seconds = 20;  // for the search of exponents
   int threads = 1;
-  std::function<CheckerVerdict(std::string_view certificate)> checker;  // empty: certificates are written, not checked
-  std::function<void(const std::string&)> progress;                     // empty: silent
+  Checker checker;                                   // empty: certificates are written, not checked
+  std::function<void(const std::string&)> progress;  // empty: silent
 };
 
 struct SchemeReportSummary {
