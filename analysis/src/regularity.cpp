@@ -248,10 +248,10 @@ Exponent exponent_of(long order, long arity, const JsrResult& jsr) {
 }
 
 Regularity regularity(const Scheme& scheme, const RegularityOptions& options) {
+  const auto limit = limit_symbol(scheme);  // refuses blocks and local parameters
   for (const auto& p : scheme.parameters)
     if (p.scope != Parameter::Scope::level)
       bad_input("the exponent needs a value for the parameter (--at " + p.name + "=...), or a range (--over)", p.name);
-  const auto limit = limit_symbol(scheme);
   if (!limit) bad_input("the masks have no limit: a pole at level variables 1", scheme.id);
   const long m = scheme.arity;
   Regularity r;

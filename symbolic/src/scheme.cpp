@@ -107,6 +107,8 @@ Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string
     const auto found =
         std::find_if(s.parameters.begin(), s.parameters.end(), [&](const auto& p) { return p.name == name; });
     if (found == s.parameters.end()) bad_input("the scheme has no parameter of this name", name);
+    if (found->scope == Parameter::Scope::local)
+      bad_input("a local parameter has a value for each edge, not one for the scheme", name);
     if (const auto number = value.constant(); number && found->domain && !found->domain->contains(*number))
       bad_input("the value lies outside the domain " + found->domain->to_string(), name + "=" + number->to_string());
     s.parameters.erase(found);
