@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   cli::add_plot_command(app, session);
   cli::add_report_command(app, session);
   cli::add_regularity_command(app, session);
+  cli::add_new_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {

@@ -218,7 +218,8 @@ std::string regularity_text(const Scheme& s, const Regularity& r, const std::str
     if (r.transferred)
       out << "all levels  the scheme generates {" << r.generated
           << "}, as many functions as the limit has sum rules: the\n"
-          << "            exponent and C^l above hold for the scheme itself, for every v^0 without a singular step"
+          << "            exponent and C^l above hold for the scheme itself, for "
+          << (level_variables(s).empty() ? analysis::start_values(s) : "every v^0") << " without a singular step"
           << (r.stability.stable ? ";\n            no larger exponent holds from every starting level" : "") << "\n";
     else
       out << "all levels  not transferred: the scheme is not known to generate " << r.order
@@ -368,7 +369,7 @@ int run_matrices(const Session& session, const Options& o) {
 }
 
 int run_scheme(const Session& session, const Options& o) {
-  const Scheme scheme = with_constants(make_scheme(o.scheme), o.at);
+  const Scheme scheme = with_default_values(with_constants(make_scheme(o.scheme), o.at));
   analysis::RegularityOptions options;
   options.jsr = search_options(session, o);
   const Regularity r = analysis::regularity(scheme, options);

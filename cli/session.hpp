@@ -50,6 +50,7 @@ void deliver(const Common& common, std::string text);
 void deliver(const Common& common, const std::string& text, const std::string& file, const std::string& certificate);
 
 // One function a command; each declares its options on `app`.
+void add_new_command(CLI::App& app, Session& session);
 void add_list_command(CLI::App& app, Session& session);
 void add_show_command(CLI::App& app, Session& session);
 void add_derive_command(CLI::App& app, Session& session);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // twoscale show SCHEME: symbol, mask, rules, level variables, support, p, factorisation.
+#include <algorithm>
 #include <sstream>
 
 #include "derivation.hpp"
@@ -21,34 +22,66 @@ std::pair<unsigned, Laurent> smoothing_factors(Laurent a, int arity) {
   return {n, a};
 }
 
+// The weights of a block as "c", or "[c, d; e, f]".
+std::string block_text(const std::vector<RationalFunction>& block, int size) {
+  std::string text;
+  for (size_t i = 0; i < block.size(); ++i)
+    text += (i == 0 ? "" : i % static_cast<size_t>(size) == 0 ? "; " : ", ") + block[i].to_string();
+  return "[" + text + "]";
+}
+
 std::string rule(const Scheme& s, size_t phase) {
   const Stencil& stencil = s.phases[phase];
   std::string text = "f_{" + std::to_string(s.arity) + "j" + (phase == 0 ? "" : "+" + std::to_string(phase)) + "} =";
   bool first = true;
   for (size_t i = 0; i < stencil.blocks.size(); ++i) {
-    const RationalFunction& c = stencil.blocks[i][0];
-    if (c.is_zero()) continue;
+    const auto& block = stencil.blocks[i];
+    if (std::all_of(block.begin(), block.end(), [](const auto& c) { return c.is_zero(); })) continue;
     const long h = stencil.lowest + static_cast<long>(i);
     const std::string point = "f_{j" + (h == 0 ? std::string() : (h > 0 ? "+" : "") + std::to_string(h)) + "}";
-    const std::string factor = c.is_one() ? "" : "[" + c.to_string() + "] ";
+    const std::string factor = s.block == 1 && block[0].is_one() ? "" : block_text(block, s.block) + " ";
     text += (first ? " " : " + ") + factor + point;
     first = false;
   }
   return first ? text + " 0" : text;
 }
 
+std::string parameter_text(const Parameter& p, int arity) {
+  std::string text;
+  if (p.scope == Parameter::Scope::level) {
+    text = "level      " + p.name + (p.frequency ? " = " + meaning(p, arity) : "") + ", " + recurrence(p, arity);
+  } else {
+    text = "parameter  " + p.name;
+    if (p.scope == Parameter::Scope::local) {
+      text += ", local:";
+      for (const long h : p.offsets)
+        text += " " + local_name(p.name, h) + " at edge j" + (h < 0 ? "" : "+") + std::to_string(h);
+    }
+  }
+  if (p.domain && p.scope == Parameter::Scope::level)
+    text += "; " + p.spelling->name + "^0 in " + p.domain->to_string();
+  else if (p.domain)
+    text += " in " + p.domain->to_string();
+  if (!p.default_value.empty()) text += "; " + p.default_value + " by default";
+  if (!p.help.empty()) text += "; " + p.help;
+  return text + "\n";
+}
+
+bool has_symbol(const Scheme& s) { return s.block == 1 && is_uniform(s); }
+
 std::string show_text(const Scheme& s) {
-  const Laurent a = symbol(s);
   std::ostringstream out;
   out << s.id << ": " << s.title << "\n";
   if (!s.source.empty()) out << "source     " << s.source << "\n";
   out << "arity      " << s.arity << "\n";
-  for (const auto& p : s.parameters)
-    if (p.frequency)
-      out << "level      " << p.name << " = " << p.frequency->meaning(s.arity) << ", " << recurrence(p.name, s.arity)
-          << "\n";
-    else
-      out << "parameter  " << p.name << "\n";
+  if (s.block > 1) out << "block      " << s.block << "\n";
+  for (const auto& p : s.parameters) out << parameter_text(p, s.arity);
+  if (!has_symbol(s)) {
+    out << "p          " << s.shift.to_string() << "\n";
+    for (size_t r = 0; r < s.phases.size(); ++r) out << "rule       " << rule(s, r) << "\n";
+    return out.str();
+  }
+  const Laurent a = symbol(s);
   out << "support    [" << a.lowest() << ", " << a.highest() << "], p = " << s.shift.to_string() << "\n";
   out << "sum        " << a.at_one().to_string() << "\n";
   for (long i = a.lowest(); i <= a.highest(); ++i) out << "  a_" << i << " = " << a.coefficient(i).to_string() << "\n";
@@ -67,7 +100,6 @@ std::string show_text(const Scheme& s) {
 
 std::string show_json(const Scheme& s) {
   using Json = nlohmann::ordered_json;
-  const Laurent a = symbol(s);
   Json j;
   j["format"] = "twoscale/scheme";
   j["version"] = 1;
@@ -78,24 +110,53 @@ std::string show_json(const Scheme& s) {
   j["p"] = s.shift.to_string();
   Json variables = Json::object();
   Json constants = Json::array();
+  Json local = Json::object();
+  Json details = Json::object();
   for (const auto& p : s.parameters) {
-    if (p.frequency)
-      variables[p.name] = p.frequency->meaning(s.arity);
+    if (p.scope == Parameter::Scope::level)
+      variables[p.name] = meaning(p, s.arity);
+    else if (p.scope == Parameter::Scope::local)
+      local[p.name] = p.offsets;
     else
       constants.push_back(p.name);
+    Json d = Json::object();
+    if (p.scope == Parameter::Scope::level) d["recurrence"] = recurrence(p, s.arity);
+    if (p.spelling) d["spelling"] = p.spelling->name;
+    if (p.domain) d["domain"] = p.domain->to_string();
+    if (!p.default_value.empty()) d["default"] = p.default_value;
+    if (!p.help.empty()) d["help"] = p.help;
+    if (!d.empty()) details[p.name] = d;
   }
   j["level_variables"] = variables;
   j["parameters"] = constants;
-  j["support"] = {a.lowest(), a.highest()};
-  j["symbol"] = laurent_json(a);
+  if (!local.empty()) j["local_parameters"] = local;
+  if (!details.empty()) j["parameter_details"] = details;
+  if (s.block > 1) j["block"] = s.block;
+  if (has_symbol(s)) {
+    const Laurent a = symbol(s);
+    j["support"] = {a.lowest(), a.highest()};
+    j["symbol"] = laurent_json(a);
+  }
   Json phases = Json::array();
   for (const auto& p : s.phases) {
     Json c = Json::array();
-    for (const auto& b : p.blocks) c.push_back(b[0].to_string());
+    for (const auto& b : p.blocks) {
+      if (s.block == 1) {
+        c.push_back(b[0].to_string());
+        continue;
+      }
+      Json rows = Json::array();
+      for (size_t i = 0; i < b.size(); ++i) {
+        if (i % static_cast<size_t>(s.block) == 0) rows.push_back(Json::array());
+        rows.back().push_back(b[i].to_string());
+      }
+      c.push_back(rows);
+    }
     phases.push_back(Json::object({{"lowest", p.lowest}, {"coefficients", c}}));
   }
   j["phases"] = phases;
-  const auto [n, rest] = smoothing_factors(a, s.arity);
+  if (!has_symbol(s)) return j.dump(1);
+  const auto [n, rest] = smoothing_factors(symbol(s), s.arity);
   j["factorisation"] = Json::object({{"smoothing_factors", n}, {"remainder", laurent_json(rest)}});
   if (const auto limit = limit_symbol(s)) j["limit"] = laurent_json(*limit);
   return j.dump(1);

@@ -251,6 +251,9 @@ ChosenMask chosen_mask(const Scheme& scheme, const Values& at) {
     if (std::any_of(r.values.begin(), r.values.end(), [&, &given = name](const auto& v) { return v.first == given; }))
       bad_input("--at: a value is given twice", name);
     const Rational value = rational_value(name, text);
+    for (const auto& p : scheme.parameters)
+      if (p.name == name && p.scope == Parameter::Scope::constant && p.domain && !p.domain->contains(value))
+        bad_input("--at: the value lies outside the domain " + p.domain->to_string() + " of " + name, text);
     for (const auto& c : r.mask.coefficients())
       for (const auto& [f, e] : c.denominator_factors())
         if (RationalFunction(f).substitute(name, value).is_zero())

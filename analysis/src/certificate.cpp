@@ -41,8 +41,7 @@ MaskData mask_data(const Scheme& scheme) {
   const Laurent a = symbol(scheme);
   const CommonDenominator d = common_denominator(a.coefficients());
   data.levels = level_variables(scheme);
-  for (const auto& p : scheme.parameters)
-    if (p.scope == Parameter::Scope::constant) data.constants.push_back(p.name);
+  data.constants = free_parameters(scheme);
   data.lowest = a.lowest();
   data.denominator = d.expanded();
   for (const auto& c : a.coefficients()) data.numerators.push_back(numerator_over(c, d));
@@ -73,8 +72,12 @@ std::string certificate_text(const Scheme& scheme, const MaskData& mask,
   std::vector<Json> variables;
   for (const auto& v : mask.levels)
     variables.push_back(Json::object({{"name", v.name}, {"scope", "level"}, {"meaning", v.meaning(scheme.arity)}}));
-  for (const auto& c : mask.constants)
-    variables.push_back(Json::object({{"name", c}, {"scope", "constant"}, {"meaning", "constant"}}));
+  for (const auto& p : scheme.parameters)
+    if (p.scope == Parameter::Scope::constant)
+      variables.push_back(Json::object({{"name", p.name}, {"scope", "constant"}, {"meaning", "constant"}}));
+    else if (p.relation)
+      variables.push_back(
+          Json::object({{"name", p.name}, {"scope", "sequence"}, {"meaning", recurrence(p, scheme.arity)}}));
   std::sort(variables.begin(), variables.end(), [](const Json& a, const Json& b) { return a["name"] < b["name"]; });
   doc["variables"] = variables;
   doc["shift"] = scheme.shift.to_string();

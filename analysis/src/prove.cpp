@@ -176,7 +176,8 @@ class Mask {
 
   // All level variables set to 1.
   Polynomial at_limit(Polynomial p) const {
-    for (const auto& v : data_.levels) p = p.substitute(v.name, 1);
+    for (const auto& v : scheme_.parameters)
+      if (v.scope == Parameter::Scope::level) p = p.substitute(v.name, 1);
     return p;
   }
 
@@ -416,8 +417,13 @@ SumRules sum_rules_of(const Mask& mask, const std::function<Polynomial(const Pol
 }
 
 std::string every_level(const Mask& mask) {
-  if (mask.data().levels.empty())
+  if (mask.data().levels.empty()) {
+    std::string sequences;
+    for (const auto& p : mask.scheme().parameters)
+      if (p.relation) sequences += (sequences.empty() ? "" : ", ") + p.name;
+    if (!sequences.empty()) return "all levels, whatever the values of " + sequences + " at the levels";
     return mask.data().constants.empty() ? "stationary: all levels" : "all levels, identically in the parameters";
+  }
   std::string names;
   if (mask.data().levels.size() == 1) return "all levels k >= 0, all v0 > -1 for which the mask is defined";
   for (const auto& v : mask.data().levels) names += (names.empty() ? "" : ", ") + std::string("v0 of ") + v.name;
@@ -774,6 +780,14 @@ Decision smoothness(const Scheme& scheme, const Claim& claim, bool own_variables
     d.witness = "another claim of this request changes the level variables; ask for this one by itself";
     return d;
   }
+  for (const auto& p : scheme.parameters)
+    if (p.scope == Parameter::Scope::constant) {
+      Decision d;
+      d.claim = claim.name;
+      d.subject = claim.subject;
+      d.witness = "it depends on " + p.name + ": give its value with the scheme, or a range to regularity --over";
+      return d;
+    }
   Decision d = decide_continuity(scheme, l, {});
   d.claim = claim.name;
   d.subject = claim.name == "continuity" ? d.subject : "";

@@ -122,6 +122,23 @@ Exponent logarithmic(const Rational& shift, const Rational& factor, long m, cons
   return e;
 }
 
+// Spaces of N functions that a scheme may generate at all levels: its own, those it is said to generate, polynomials.
+std::vector<Space> spaces_of_dimension(const Scheme& scheme, unsigned n) {
+  std::vector<Space> list;
+  const auto add = [&](const Space& space) {
+    const std::vector<LevelVariable> own = level_variables(scheme);
+    const auto rebased = Space::rebase(space, own);
+    const bool same = rebased.space.variables().size() == own.size() &&
+                      std::all_of(rebased.scale.begin(), rebased.scale.end(), [](unsigned s) { return s == 1; });
+    if (same && space.dimension() == n) list.push_back(space);
+  };
+  if (scheme.space) add(*scheme.space);
+  for (const auto& c : scheme.claims)
+    if ((c.name == "generates" || c.name == "reproduces") && !c.subject.empty()) add(Space::parse(c.subject));
+  add(Space::one_frequency(n, {}));
+  return list;
+}
+
 Json interval_json(const RealAlgebraic& r) {
   RealAlgebraic fine = r;
   fine.refine(Rational(1, 1L << 40));
@@ -206,6 +223,14 @@ void add_sobolev(Regularity& r, long arity, std::vector<Json>& claims) {
 
 }  // namespace
 
+std::string start_values(const Scheme& scheme) {
+  std::string text = level_variables(scheme).empty() ? "" : "every v^0 > -1";
+  for (const auto& p : scheme.parameters)
+    if (p.relation && p.spelling && p.domain)
+      text += (text.empty() ? "every " : " and ") + p.spelling->name + "^0 in " + p.domain->to_string();
+  return text;
+}
+
 Exponent exponent_of(long order, long arity, const JsrResult& jsr) {
   Exponent e;
   if (jsr.exact && jsr.exact->sign() > 0) return logarithmic(Rational(order), 1, arity, *jsr.exact);
@@ -223,10 +248,10 @@ Exponent exponent_of(long order, long arity, const JsrResult& jsr) {
 }
 
 Regularity regularity(const Scheme& scheme, const RegularityOptions& options) {
+  const auto limit = limit_symbol(scheme);  // refuses blocks and local parameters
   for (const auto& p : scheme.parameters)
     if (p.scope != Parameter::Scope::level)
       bad_input("the exponent needs a value for the parameter (--at " + p.name + "=...), or a range (--over)", p.name);
-  const auto limit = limit_symbol(scheme);
   if (!limit) bad_input("the masks have no limit: a pole at level variables 1", scheme.id);
   const long m = scheme.arity;
   Regularity r;
@@ -284,12 +309,12 @@ Regularity regularity(const Scheme& scheme, const RegularityOptions& options) {
     r.attained.reset();
     const Proof domain = prove(scheme, {{"well-defined", "", ""}});
     r.excluded = domain.decisions[0].exceptions;
-    if (scheme.space && static_cast<long>(scheme.space->dimension()) == rest.order) {
-      const Proof generated = prove(scheme, {{"generates", scheme.space->to_string(), ""}});
+    for (const Space& space : spaces_of_dimension(scheme, static_cast<unsigned>(rest.order))) {
+      const Proof generated = prove(scheme, {{"generates", space.to_string(), ""}});
       const Decision& d = generated.decisions[0];
       if (d.verdict == Verdict::proved) {
         r.transferred = true;
-        r.generated = scheme.space->to_string();
+        r.generated = space.to_string();
         if (r.continuity >= 0) {
           Json j;
           j["claim"] = "nonstationary";
@@ -299,6 +324,7 @@ Regularity regularity(const Scheme& scheme, const RegularityOptions& options) {
           j["theorem"] = "nonstationary";
           claims.push_back(std::move(j));
         }
+        break;
       }
     }
   }
@@ -311,7 +337,7 @@ Decision decide_continuity(const Scheme& scheme, long l, const RegularityOptions
   Decision d;
   d.claim = "continuity";
   d.subject = std::to_string(l);
-  d.domain = is_stationary(scheme) ? "all data" : "every v^0 > -1 without a singular step, all levels";
+  d.domain = is_stationary(scheme) ? "all data" : start_values(scheme) + " without a singular step, all levels";
   const Regularity r = regularity(scheme, options);
   if (!r.obstacle.empty()) {
     d.witness = r.obstacle;  // no certificate of this document refutes; prove --claim sum-rules=1 does

@@ -26,6 +26,19 @@ std::string unquoted(std::string s) {
   return s;
 }
 
+// The path of a scheme file and what follows it (":key=value,..." or nothing), if that is what `text` names: it has
+// .toml at its end or before a colon, or a slash before its first colon.
+std::optional<std::pair<std::string, std::string>> scheme_path(std::string_view text) {
+  const std::string whole = trimmed(text);
+  if (whole.ends_with(".toml")) return std::pair(whole, std::string());
+  auto colon = whole.find(".toml:");
+  if (colon != std::string::npos)
+    colon += 5;
+  else if (colon = whole.find(':'); whole.substr(0, colon).find('/') == std::string::npos)
+    return std::nullopt;
+  return std::pair(whole.substr(0, colon), colon == std::string::npos ? "" : whole.substr(colon));
+}
+
 // No quote is left and every bracket has its partner; otherwise the canonical spelling would be split elsewhere.
 bool balanced(const std::string& s) {
   long depth = 0;
@@ -43,6 +56,7 @@ std::vector<CatalogEntry> build_catalog() {
   families::add_interpolating(list);
   families::add_quasi_splines(list);
   families::add_mask(list);
+  families::add_files(list);
   return list;
 }
 
@@ -90,10 +104,13 @@ const std::vector<CatalogEntry>& catalog() {
 }
 
 Scheme make_scheme(std::string_view text) {
+  if (const auto file = scheme_path(text))
+    return families::scheme_of_file(SchemeFile::load(file->first), parse_scheme_name("file" + file->second));
   const SchemeName name = parse_scheme_name(text);
   const auto& list = catalog();
   const auto entry = std::find_if(list.begin(), list.end(), [&](const auto& e) { return e.id == name.id; });
-  if (entry == list.end()) bad_input("unknown scheme (twoscale list prints them)", name.id);
+  if (entry == list.end())
+    bad_input("unknown scheme (twoscale list prints them; a scheme file has a name that ends in .toml)", name.id);
   for (const auto& [key, value] : name.keys)
     if (std::none_of(entry->keys.begin(), entry->keys.end(), [&, &k = key](const auto& e) { return e.name == k; }))
       bad_input(name.id + ": unknown key", key);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/expression.hpp"
 
 namespace twoscale {
 
@@ -12,18 +13,18 @@ std::string local_name(const std::string& name, long offset) {
   return name + (offset < 0 ? "_m" : "_") + std::to_string(std::abs(offset));
 }
 
-Scheme Scheme::from_symbol(std::string id, const Laurent& symbol, int arity, std::vector<Parameter> parameters) {
+Scheme Scheme::from_symbol(std::string id, const Laurent& symbol, int arity, std::vector<Parameter> parameters,
+                           const std::optional<Rational>& shift) {
   if (symbol.is_zero()) bad_input("the mask is zero", id);
+  if (symbol.at_one().is_zero()) bad_input("the mask has sum 0, no parametrisation exists", id);
   std::optional<Rational> centre = symbol.centre_of_symmetry();  // then a'(1)/a(1), whatever the coefficients
-  if (centre) {
-    if (symbol.at_one().is_zero()) bad_input("the mask has sum 0, no parametrisation exists", id);
-  } else {
+  if (shift) {
+    centre = *shift * Rational(static_cast<long>(arity) - 1);
+  } else if (!centre) {
     std::vector<RationalFunction> weighted;
     for (long i = symbol.lowest(); i <= symbol.highest(); ++i)
       weighted.push_back(RationalFunction(i) * symbol.coefficient(i));
-    const RationalFunction mass = symbol.at_one();
-    if (mass.is_zero()) bad_input("the mask has sum 0, no parametrisation exists", id);
-    centre = (Laurent(0, std::move(weighted)).at_one() / mass).constant();
+    centre = (Laurent(0, std::move(weighted)).at_one() / symbol.at_one()).constant();
   }
   if (!centre) bad_input("the centre of the mask depends on a parameter", id);
   Scheme s;
@@ -42,7 +43,8 @@ Scheme Scheme::from_symbol(std::string id, const Laurent& symbol, int arity, std
 }
 
 Laurent symbol(const Scheme& scheme) {
-  if (scheme.block != 1 || !is_uniform(scheme)) bad_input("this scheme has no scalar symbol", scheme.id);
+  if (scheme.block != 1) bad_input("a scheme with blocks has no scalar symbol: not decided or computed here", scheme.id);
+  if (!is_uniform(scheme)) bad_input("a scheme with local parameters has no symbol: not decided or computed here", scheme.id);
   Laurent a;
   for (long r = 0; r < scheme.arity; ++r) {
     const Stencil& s = scheme.phases[static_cast<size_t>(r)];
@@ -76,13 +78,21 @@ bool is_interpolatory(const Scheme& scheme) {
 std::vector<LevelVariable> level_variables(const Scheme& scheme) {
   std::vector<LevelVariable> v;
   for (const auto& p : scheme.parameters)
-    if (p.scope == Parameter::Scope::level) v.push_back(*p.frequency);
+    if (p.frequency) v.push_back(*p.frequency);
   return v;
+}
+
+std::vector<std::string> free_parameters(const Scheme& scheme) {
+  std::vector<std::string> names;
+  for (const auto& p : scheme.parameters)
+    if (p.scope == Parameter::Scope::constant || p.relation) names.push_back(p.name);
+  return names;
 }
 
 std::optional<Laurent> limit_symbol(const Scheme& scheme) {
   Laurent a = symbol(scheme);
-  for (const auto& v : level_variables(scheme)) {
+  for (const auto& v : scheme.parameters) {
+    if (v.scope != Parameter::Scope::level) continue;
     for (const auto& c : a.coefficients())
       for (const auto& [f, e] : c.denominator_factors())
         if (f.substitute(v.name, 1).is_zero()) return std::nullopt;
@@ -97,6 +107,10 @@ Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string
     const auto found =
         std::find_if(s.parameters.begin(), s.parameters.end(), [&](const auto& p) { return p.name == name; });
     if (found == s.parameters.end()) bad_input("the scheme has no parameter of this name", name);
+    if (found->scope == Parameter::Scope::local)
+      bad_input("a local parameter has a value for each edge, not one for the scheme", name);
+    if (const auto number = value.constant(); number && found->domain && !found->domain->contains(*number))
+      bad_input("the value lies outside the domain " + found->domain->to_string(), name + "=" + number->to_string());
     s.parameters.erase(found);
     for (auto& phase : s.phases)
       for (auto& block : phase.blocks)
@@ -111,6 +125,15 @@ Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string
   return s;
 }
 
+Scheme with_default_values(const Scheme& scheme) {
+  std::vector<std::pair<std::string, RationalFunction>> values;
+  for (const auto& p : scheme.parameters) {
+    if (p.scope != Parameter::Scope::constant || p.default_value.empty()) continue;
+    if (const auto value = parse_real(p.default_value).rational()) values.emplace_back(p.name, *value);
+  }
+  return with_values(scheme, values);
+}
+
 std::vector<Parameter> level_parameters(const Space& space) {
   std::vector<Parameter> list;
   for (const auto& v : space.variables()) list.push_back({v.name, Parameter::Scope::level, v});
@@ -120,6 +143,21 @@ std::vector<Parameter> level_parameters(const Space& space) {
 std::string recurrence(const std::string& variable, int arity) {
   if (arity == 2) return variable + "^{k+1} = sqrt((1 + " + variable + "^k)/2)";
   return variable + "^k = " + Polynomial::chebyshev(variable + "^{k+1}", static_cast<unsigned>(arity)).pretty();
+}
+
+std::string recurrence(const Parameter& parameter, int arity) {
+  std::string text = parameter.frequency ? recurrence(parameter.name, arity)
+                                         : parameter.name + "^k = r(" + parameter.name +
+                                               "^{k+1}), r(x) = " + parameter.relation->to_string();
+  if (const auto& s = parameter.spelling; s && !(s->is_identity() && s->name == parameter.name))
+    text += "; " + s->name + " = " +
+            (RationalFunction(s->scale) * RationalFunction::variable(parameter.name) + RationalFunction(s->offset))
+                .to_string();
+  return text;
+}
+
+std::string meaning(const Parameter& parameter, int arity) {
+  return parameter.frequency ? parameter.frequency->meaning(arity) : "the value of level k+1";
 }
 
 }  // namespace twoscale

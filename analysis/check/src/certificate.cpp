@@ -37,13 +37,14 @@ void read_variables(Fields& fields, Certificate& certificate) {
       throw Malformed(variable.path("name") + ": names must be distinct and sorted");
     }
     const std::string& scope = variable.take_string("scope");
-    if (scope != "level" && scope != "constant") {
-      throw Malformed(variable.path("scope") + ": \"level\" or \"constant\" is expected");
+    if (scope != "level" && scope != "constant" && scope != "sequence") {
+      throw Malformed(variable.path("scope") + ": \"level\", \"constant\" or \"sequence\" is expected");
     }
     label(variable, "meaning");
     variable.done();
     certificate.names.push_back(name);
     (scope == "level" ? certificate.level : certificate.constants).push_back(i);
+    if (scope != "constant") certificate.limits.push_back(i);
   }
 }
 

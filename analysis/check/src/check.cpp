@@ -106,7 +106,11 @@ std::string head_line(const Certificate& certificate) {
     text += ", " + certificate.names[certificate.level[j]] + " = cosh(" + frequency_name(certificate, j) + "/" +
             std::to_string(certificate.arity) + "^(k+1)) at the step k -> k+1";
   }
-  for (const std::size_t c : certificate.constants) text += ", " + certificate.names[c] + " constant";
+  for (const std::size_t c : certificate.constants) {
+    const bool sequence =
+        std::find(certificate.limits.begin(), certificate.limits.end(), c) != certificate.limits.end();
+    text += ", " + certificate.names[c] + (sequence ? " a value for each level" : " constant");
+  }
   return text;
 }
 

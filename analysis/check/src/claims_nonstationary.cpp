@@ -31,7 +31,11 @@ Finding check_nonstationary(const Context& context, Fields& fields, bool proved)
                   "^" + std::to_string(order - continuity));
   }
   const std::string n = std::to_string(order), m = std::to_string(certificate.arity);
-  return {"C^" + std::to_string(continuity) + " for every v^0 > -1 for which no step has a pole",
+  std::string values = certificate.level.empty() && !certificate.constants.empty() ? "" : "every v^0 > -1";
+  for (const std::size_t c : certificate.constants)
+    values += (values.empty() ? "all values of " : " and all values of ") + certificate.names[c] +
+              " whose distances to 1 have a finite sum";
+  return {"C^" + std::to_string(continuity) + " for " + values + " for which no step has a pole",
           text_of(space, certificate) + " is generated, the limit mask has sum rules of order exactly " + n +
               ", and rho < " + m + "^" + std::to_string(order - continuity) +
               " by a claim above; Hoelder exponent of "

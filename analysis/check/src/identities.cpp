@@ -120,8 +120,8 @@ const Mask& Identities::limit_mask() {
     const Mask& mask = certificate_.mask;
     Mask limit;
     limit.lowest = mask.lowest;
-    for (const Polynomial& n : mask.numerators) limit.numerators.push_back(at_one(n, certificate_.level, meter_));
-    limit.denominator = at_one(mask.denominator, certificate_.level, meter_);
+    for (const Polynomial& n : mask.numerators) limit.numerators.push_back(at_one(n, certificate_.limits, meter_));
+    limit.denominator = at_one(mask.denominator, certificate_.limits, meter_);
     limit_ = std::move(limit);
   }
   return *limit_;

@@ -81,7 +81,7 @@ void require_positive_order(long order) {
 Coefficients limit_coefficients(const Context& context) {
   const Certificate& certificate = context.certificate;
   Meter& meter = context.meter;
-  if (!certificate.constants.empty()) throw Refused("the mask contains constants");
+  if (certificate.limits.size() != certificate.names.size()) throw Refused("the mask contains constants");
   const Mask& limit = context.identities.limit_mask();
   if (limit.denominator.empty()) throw Refused("the denominator vanishes where all level variables are 1");
   const auto value = [](const Polynomial& p) { return p.empty() ? Integer(0) : p.begin()->second; };

@@ -103,7 +103,8 @@ constexpr std::array<Theorem, 13> list{{
      "sqrt(n/2)."},
     {"nonstationary", "Dyn-Levin 1995; Charina-Conti-Guglielmi-Protasov 2017",
      "Let masks of bounded support depend on the level through v^k only, with no constants, v^k - 1 = O(m^{-2k}) by "
-     "T_m(v^{k+1}) = v^k. If the mask is continuous at the limit (all v = 1), the masks of the levels tend to the "
+     "T_m(v^{k+1}) = v^k, and through variables of scope sequence, whose distances to 1 have a finite sum over the "
+     "levels. If the mask is continuous at the limit (all these are 1), the masks of the levels tend to the "
      "limit mask a so fast that |a^{[k]}(1) - m| is summable, where a(1) = m. Exact generation of N exponential "
      "polynomials makes the derivatives of order r < N of the symbol of level k at eps (eps^m = 1, eps != 1) "
      "O(m^{-k(N-r)}): the approximate sum rules of order N. If a has sum rules of order N and its remainder the joint "

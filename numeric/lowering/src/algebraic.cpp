@@ -132,10 +132,10 @@ ZeroTest::Found ZeroTest::minimal(size_t variable, unsigned k, long cap, Polynom
       return result.degree("x") > cap ? Found::degree_exceeded : Found::polynomial;
     }
     if (last.degree("x") > cap) return Found::degree_exceeded;
-    if (last.degree("x") * v.level->arity() > largest_degree) return Found::unknown;
+    const RationalFunction relation = v.level->relation();
+    if (last.degree("x") * relation.numerator().degree("x") > largest_degree) return Found::unknown;
     const unsigned next = static_cast<unsigned>(tower.minimal.size());
-    const Polynomial composed =
-        last.substitute("x", Polynomial::chebyshev("x", static_cast<unsigned>(v.level->arity())));
+    const Polynomial composed = RationalFunction(last).substitute("x", relation).numerator();
     auto m = vanishing_factor(composed, [&](long bits) {
       Ball x = v.level->offset(next, bits);
       arb_add_ui(x.raw(), x.raw(), 1, bits);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact zero tests at the values of level variables and constants.
 //
-// The minimal polynomial of v^{[k+1]} is the irreducible factor of M_k(T_m(x)) that vanishes there, M_k that of
-// v^{[k]}. Degrees never decrease with k (Q(v^{[k]}) lies in Q(v^{[k+1]})), so a polynomial of smaller degree than some
+// The minimal polynomial of v^{[k+1]} is the irreducible factor of M_k(R(x)) that vanishes there (R = T_m, or another
+// relation), M_k that of v^{[k]}. Degrees never decrease with k (Q(v^{[k]}) lies in Q(v^{[k+1]})), so a polynomial of smaller degree than some
 // M_j, j <= k, cannot vanish at v^{[k]}; otherwise P(v^{[k]}) = 0 iff M_k divides P. In several variables a zero is
 // proved by Liouville's bound: if c_i is the leading coefficient and d_i the degree of the i-th minimal polynomial, A =
 // prod c_i^{deg_i P} and |P| <= B at all conjugates, then P = 0 or |P| >= A^{-1} (A B)^{1 - prod d_i}.

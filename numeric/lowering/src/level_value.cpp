@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sequences v^{[k]}: their angles, enclosures and algebraic nature.
 #include <algorithm>
+#include <stdexcept>
 
 #include "algebraic.hpp"
+#include "inverse_branch.hpp"
 #include "twoscale/lowering/lower.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -101,9 +103,23 @@ LevelValue LevelValue::trigonometric(const ExactReal& s, std::string text, int a
   return v;
 }
 
+LevelValue LevelValue::related(const ExactReal& v0, std::string text, const RationalFunction& relation) {
+  LevelValue v;
+  v.v0_ = v0;
+  v.side_ = decided(v0 - ExactReal(1), "cannot decide whether the start value is the limit", text);
+  v.branch_ = std::make_shared<const InverseBranch>(relation, v.side_, v0);
+  v.text_ = std::move(text);
+  return v;
+}
+
+RationalFunction LevelValue::relation() const {
+  return branch_ ? branch_->relation() : Polynomial::chebyshev("x", static_cast<unsigned>(arity_));
+}
+
 ExactReal LevelValue::exact(unsigned k) const {
   using F = ExactReal::Function;
   if (k == 0 || side_ == 0) return v0_;
+  if (branch_) throw std::logic_error("LevelValue::exact: only the start value has an expression");
   if (angle_ && v0_.rational() == std::nullopt)
     return ExactReal::apply(circular_ ? F::cos : F::cosh,
                             *angle_ / ExactReal(Rational(static_cast<long>(arity_)).pow(k)));
@@ -153,6 +169,7 @@ Ball LevelValue::offset(unsigned k, long bits) const {
   if (side_ == 0) return u;
   if (k == 0 && v0_.rational()) return Ball(*v0_.rational() - Rational(1), bits);
   bits += guard;
+  if (branch_) return branch_->offsets(v0_, k, bits).back();
   Ball x = angle(bits);
   arb_mul_2exp_si(x.raw(), x.raw(), -1);
   if (arity_ == 2) {
@@ -175,6 +192,11 @@ std::vector<Ball> LevelValue::offsets(unsigned count, long bits) const {
   std::vector<Ball> u(count);
   if (count == 0 || side_ == 0) return u;
   bits += guard;
+  if (branch_) {
+    std::vector<Ball> all = branch_->offsets(v0_, count, bits);
+    all.erase(all.begin());
+    return all;
+  }
   u[count - 1] = offset(count, bits);
   const std::vector<Rational> c = arity_ == 2 ? std::vector<Rational>{} : offset_recurrence(arity_);
   Ball sum;

@@ -70,9 +70,10 @@ class Lowering {
     t.arity = scheme_.arity;
     t.shift = scheme_.shift.to_string();
     t.parameters = binding_.description;
-    for (const LevelVariable& v : level_variables(scheme_)) {
-      t.level_variables.emplace_back(v.name, v.meaning(scheme_.arity));
-      t.recurrence += (t.recurrence.empty() ? "" : "; ") + recurrence(v.name, scheme_.arity);
+    for (const Parameter& p : scheme_.parameters) {
+      if (p.scope != Parameter::Scope::level) continue;
+      t.level_variables.emplace_back(p.name, meaning(p, scheme_.arity));
+      t.recurrence += (t.recurrence.empty() ? "" : "; ") + recurrence(p, scheme_.arity);
     }
     t.digits = static_cast<int>(options_.digits);
     t.normalisation = normalisation();

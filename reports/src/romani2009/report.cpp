@@ -6,7 +6,6 @@
 
 #include "page.hpp"
 #include "twoscale/kernels/write_file.hpp"
-#include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::reports::romani2009 {
 
@@ -59,6 +58,7 @@ std::string method() {
       "<footer>twoscale {}. The page is self-contained; the same version writes the same "
       "bytes.</footer>\n</body>\n</html>\n",
       measured_levels, drawn_levels, TWOSCALE_VERSION);
+<<<<<<< HEAD
 }
 
 }  // namespace
@@ -124,6 +124,11 @@ void make_directory(const std::filesystem::path& path) {
   if (error || !std::filesystem::is_directory(path))
     throw Error(Error::Kind::io, "directory cannot be made", path.string());
 }
+=======
+}
+
+}  // namespace
+>>>>>>> toml
 
 Summary write_report(const std::string& directory, const Options& options) {
   const std::filesystem::path root(directory);

@@ -15,12 +15,6 @@ namespace twoscale::reports::romani2009 {
 
 namespace {
 
-std::string space_html(const Space& space) {
-  std::string s;
-  for (const std::string& item : space.items()) s += (s.empty() ? "" : "<mo>,</mo>") + mathml(item);
-  return "<math><mrow><mo stretchy=\"false\">{</mo>" + s + "<mo stretchy=\"false\">}</mo></mrow></math>";
-}
-
 // zeta_{2j} of the paper stands at z^{2j - (2l-1)}.
 std::string formulas(const Scheme& scheme) {
   const Laurent a = symbol(scheme);
@@ -52,33 +46,6 @@ std::string limits(const Scheme& scheme) {
                      s.empty() ? "" : "<mo>,</mo><mspace width=\"1em\"/>", i - limit->lowest(),
                      mathml(limit->coefficient(i).to_string()));
   return "<math><mrow>" + s + "</mrow></math>";
-}
-
-// The prover's plain text with proper signs.
-std::string prose(std::string text) {
-  const auto replace = [&](const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-      text.replace(at, from.size(), to);
-  };
-  replace(">= ", "≥ ");
-  replace("v0", "v⁰");
-  replace("> -1", "> −1");
-  replace("= -", "= −");
-  return escaped(text);
-}
-
-std::string verdicts(const std::vector<analysis::Decision>& decisions) {
-  std::string s = "<table><thead><tr><th>claim</th><th>verdict</th><th>for</th><th>except</th></tr></thead><tbody>\n";
-  for (const auto& d : decisions) {
-    const std::string word = to_string(d.verdict);
-    std::string exceptions;
-    for (const auto& e : d.exceptions) exceptions += (exceptions.empty() ? "" : "; ") + prose(e);
-    s += fmt::format("<tr><td>{}{}</td><td class=\"{}\">{}</td><td>{}</td><td>{}</td></tr>\n", escaped(d.claim),
-                     d.subject.empty() ? "" : " <span class=\"subject\">" + escaped(d.subject) + "</span>", word, word,
-                     prose(d.verdict == analysis::Verdict::proved ? d.domain : d.witness),
-                     exceptions.empty() ? "–" : exceptions);
-  }
-  return s + "</tbody></table>\n";
 }
 
 std::string singular(const Scheme& scheme, nlohmann::ordered_json& numbers) {
@@ -120,7 +87,7 @@ std::string article(const SixPoint& which, const Options& options, Part& part, S
     part.files.emplace_back(file, proof.certificate);
     checked = fmt::format("<a href=\"{}\">Certificate</a>", file);
     if (options.checker) {
-      const Verdict v = options.checker(proof.certificate);
+      const CheckerVerdict v = options.checker(proof.certificate);
       summary.all_certificates_valid = summary.all_certificates_valid && v.valid;
       std::string lines;
       for (const auto& line : v.lines) lines += escaped(line) + "\n";
@@ -149,7 +116,7 @@ std::string article(const SixPoint& which, const Options& options, Part& part, S
   s += "<p class=\"limit\">" + limits(scheme) + "</p>\n<details><summary>The same as text</summary><pre>" +
        escaped(plain_formulas(scheme)) + "</pre></details></div>\n";
   s += "<figure>" + picture + "<figcaption>Basic limit functions</figcaption></figure></div>\n";
-  s += verdicts(proof.decisions) + "<p>" + checked + "</p>\n" + singular_html;
+  s += verdict_table(proof.decisions) + "<p>" + checked + "</p>\n" + singular_html;
   s += "<pre class=\"shell\">" + command("twoscale derive " + name) +
        command("twoscale prove " + name + " --certificate " + file) + command("twoscale-check " + file) +
        command("twoscale table " + name + " --v0 " + which.basic_v0[1] + " --levels 10 --digits 30") +

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "twoscale/symbolic/catalog.hpp"
+#include "twoscale/symbolic/scheme_file.hpp"
 
 namespace twoscale::families {
 
@@ -27,5 +28,10 @@ void add_bsplines(std::vector<CatalogEntry>& list);
 void add_interpolating(std::vector<CatalogEntry>& list);
 void add_quasi_splines(std::vector<CatalogEntry>& list);
 void add_mask(std::vector<CatalogEntry>& list);
+void add_files(std::vector<CatalogEntry>& list);
+
+// The scheme of a file with the values of constant parameters that `name` has as keys; its id is the file's name with
+// these keys. Throws Error(bad_input) naming a key that is none, or a value that is not rational or outside its domain.
+Scheme scheme_of_file(const SchemeFile& file, SchemeName name);
 
 }  // namespace twoscale::families

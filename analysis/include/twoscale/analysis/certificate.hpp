@@ -15,7 +15,7 @@ namespace twoscale::analysis {
 
 struct MaskData {
   std::vector<LevelVariable> levels;  // sorted by name
-  std::vector<std::string> constants;
+  std::vector<std::string> constants;  // and level parameters without a frequency: identities hold for all values
   long lowest = 0;
   std::vector<Polynomial> numerators;  // a_{lowest+i} = numerators[i] / denominator
   Polynomial denominator;

@@ -64,6 +64,9 @@ Regularity regularity(const Scheme& scheme, const RegularityOptions& options);
 // refuted for a stationary scheme with stable integer shifts and rho >= m^{N-l}.
 Decision decide_continuity(const Scheme& scheme, long l, const RegularityOptions& options);
 
+// "every v^0 > -1": the start values of a level-dependent scheme that its proofs speak of.
+std::string start_values(const Scheme& scheme);
+
 // N - log_m(radius), as an exponent, from the radius or its bounds.
 Exponent exponent_of(long order, long arity, const JsrResult& jsr);
 

@@ -18,7 +18,7 @@ std::string mathml(std::string_view expression);
 // The same inside <math>...</math>, after a left side that is MathML already (may be empty).
 std::string formula(const std::string& left_mathml, std::string_view expression);
 
-// data:image/svg+xml;base64,...
-std::string data_uri(std::string_view svg);
+// data:image/svg+xml;base64,... of any bytes.
+std::string data_uri(std::string_view bytes, const std::string& type = "image/svg+xml");
 
 }  // namespace twoscale::reports

@@ -7,9 +7,10 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
+
+#include "twoscale/reports/checker.hpp"
 
 namespace twoscale::reports::romani2009 {
 
@@ -93,14 +94,9 @@ inline constexpr int measured_levels = 8;
 inline constexpr int drawn_levels = 6;
 Measured measure(const Panel& panel, const Trial& trial, int levels = measured_levels);
 
-// An independent checker of certificates: its lines for people, and whether it accepts.
-struct Verdict {
-  bool valid = false;
-  std::vector<std::string> lines;
-};
 struct Options {
-  std::function<Verdict(std::string_view certificate)> checker;  // empty: certificates are written, not checked
-  std::function<void(const std::string&)> progress;              // empty: silent
+  Checker checker;                                   // empty: certificates are written, not checked
+  std::function<void(const std::string&)> progress;  // empty: silent
 };
 
 struct Summary {

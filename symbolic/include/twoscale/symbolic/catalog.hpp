@@ -39,7 +39,9 @@ struct CatalogEntry {
 
 const std::vector<CatalogEntry>& catalog();
 
-// Throws Error(bad_input) naming an unknown id, key or unusable value.
+// `text` is a name of the catalogue, or the path of a scheme file (it ends in .toml, or has a slash), which may be
+// followed by :NAME=VALUE,... for its constant parameters. Throws Error(bad_input) naming an unknown id, key or
+// unusable value, or file, line and text; Error(io) for a file that cannot be read.
 Scheme make_scheme(std::string_view text);
 
 // The spaces of the families of romani2009: {1..x^n, e^{+-tx}} (3), {1, x, e^{+-jtx}, j <= n} (9),

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "twoscale/symbolic/laurent.hpp"
+#include "twoscale/symbolic/level_relation.hpp"
 #include "twoscale/symbolic/space.hpp"
 
 namespace twoscale {
@@ -20,15 +21,20 @@ namespace twoscale {
 struct Parameter {
   enum class Scope {
     constant,  // one value for the whole run
-    level,     // v = v^{[k+1]}, tied to the coarser value by v^k = T_m(v^{k+1})
+    level,     // v = v^{[k+1]}, tied to the coarser value; v^{[k]} -> 1
     local,     // one value for each place: knot intervals, edge parameters
   };
   std::string name;
   Scope scope = Scope::constant;
-  std::optional<LevelVariable> frequency = {};  // of a level parameter
+  std::optional<LevelVariable> frequency = {};  // of a level parameter with v^k = T_m(v^{k+1})
   // Of a local parameter: the stencils of the edge [x_i, x_{i+1}] read its values at the edges i + offset, under the
   // names local_name(name, offset).
   std::vector<long> offsets = {};
+  std::optional<RationalFunction> relation = {};  // of any other level parameter: v^k = R(v^{k+1}), R in "x", R(1) = 1
+  std::optional<Spelling> spelling = {};          // how its user spells a level parameter
+  std::optional<Domain> domain = {};  // of the values, of v^{[0]} in the user's spelling for a level parameter
+  std::string default_value = {};     // an expression; empty: a value must be given
+  std::string help = {};
 };
 
 // How a stencil spells the value of a local parameter: d_0, d_1, and d_m1 for offset -1.
@@ -61,26 +67,36 @@ struct Scheme {
   std::vector<Claim> claims;
 
   // A scalar uniform scheme from its symbol; p is (a'(1)/a(1))/(m-1), which is c/(m-1) for a mask symmetric about c.
-  // Throws Error(bad_input) if p would depend on a parameter or a(1) = 0.
-  static Scheme from_symbol(std::string id, const Laurent& symbol, int arity, std::vector<Parameter> parameters);
+  // Throws Error(bad_input) if p would depend on a parameter or a(1) = 0. A `shift` that is given is taken.
+  static Scheme from_symbol(std::string id, const Laurent& symbol, int arity, std::vector<Parameter> parameters,
+                            const std::optional<Rational>& shift = {});
 };
 
 // The symbol a(z) of a scalar scheme without local parameters.
 Laurent symbol(const Scheme& scheme);
 
-bool is_stationary(const Scheme& scheme);     // no level and no local parameter
-bool is_uniform(const Scheme& scheme);        // no local parameter
-bool is_interpolatory(const Scheme& scheme);  // a_{m j} = delta_{j0}
-std::vector<LevelVariable> level_variables(const Scheme& scheme);
+bool is_stationary(const Scheme& scheme);                          // no level and no local parameter
+bool is_uniform(const Scheme& scheme);                             // no local parameter
+bool is_interpolatory(const Scheme& scheme);                       // a_{m j} = delta_{j0}
+std::vector<LevelVariable> level_variables(const Scheme& scheme);  // those with a frequency
+// Names of the parameters that identities are proved for as free ones: constants, and level parameters without a
+// frequency.
+std::vector<std::string> free_parameters(const Scheme& scheme);
 // The symbol at level variables 1: what the masks tend to. nullopt if there is a pole.
 std::optional<Laurent> limit_symbol(const Scheme& scheme);
 // The scheme with some of its parameters replaced by values; they are no parameters any more, and the id says so.
 // Throws Error(bad_input) for a name that is no parameter of the scheme and for a value at which a coefficient has a
-// pole.
+// pole, or which lies outside the parameter's domain.
 Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string, RationalFunction>>& values);
+// The scheme with its constant parameters that have a rational default value replaced by it.
+Scheme with_default_values(const Scheme& scheme);
 // Parameters for the level variables of a space.
 std::vector<Parameter> level_parameters(const Space& space);
 // "v^{k+1} = sqrt((1 + v^k)/2)" for m = 2, "v^k = T_3(v^{k+1}) = 4*v^3 - 3*v" in general.
 std::string recurrence(const std::string& variable, int arity);
+// The same of any level parameter, and what the user's spelling of it is: "v^k = (v^{k+1})^2; g = 2*v".
+std::string recurrence(const Parameter& parameter, int arity);
+// "cosh(t/2^(k+1))", or "the value of level k+1" without a frequency.
+std::string meaning(const Parameter& parameter, int arity);
 
 }  // namespace twoscale

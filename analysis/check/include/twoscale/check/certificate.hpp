@@ -28,7 +28,8 @@ struct Certificate {
   int arity = 2;                   ///< m
   std::vector<std::string> names;  ///< of the variables, sorted
   std::vector<std::size_t> level;  ///< indices of the level variables
-  std::vector<std::size_t> constants;
+  std::vector<std::size_t> constants;  ///< of the others: identities hold for all their values
+  std::vector<std::size_t> limits;     ///< of those that tend to 1: scopes level and sequence
   SmallFraction shift;  ///< p: f^k_j belongs to (j + p)/m^k
   SmallFraction e;      ///< (m-1)p in lowest terms
   Mask mask;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,19 +20,25 @@
 
 namespace twoscale::lowering {
 
-// The values v^{[k]} of one level variable: v^{[0]} is given exactly, v^{[k]} = T_m(v^{[k+1]}), v^{[k]} > -1.
+class InverseBranch;
+
+// The values v^{[k]} of one level variable: v^{[0]} is given exactly, v^{[k]} = T_m(v^{[k+1]}), v^{[k]} > -1, or
+// v^{[k]} = R(v^{[k+1]}) on the branch of level_relation.hpp.
 class LevelValue {
  public:
   // Throw Error(bad_input) unless v0 > -1 (naming it), Error(undecided) if that could not be decided.
   static LevelValue from_v0(const ExactReal& v0, std::string text, int arity);
   static LevelValue hyperbolic(const ExactReal& t, std::string text, int arity);     // v^{[k]} = cosh(t/m^k)
   static LevelValue trigonometric(const ExactReal& s, std::string text, int arity);  // v^{[k]} = cos(s/m^k), |s| < pi
+  // The domain is not checked. Throws Error(undecided) if v0 cannot be told from 1.
+  static LevelValue related(const ExactReal& v0, std::string text, const RationalFunction& relation);
 
-  // v^{[k]} exactly, for decisions (zero or not); an expression that grows with k only when it must.
+  // v^{[k]} exactly, for decisions (zero or not); an expression that grows with k only when it must. Of a value of
+  // related(), k = 0 only.
   ExactReal exact(unsigned k) const;
   const std::string& text() const { return text_; }  // what the user wrote
-  int arity() const { return arity_; }
-  bool is_one() const { return side_ == 0; }  // v^{[k]} = 1 at all levels
+  RationalFunction relation() const;                 // R in "x", T_m for a frequency
+  bool is_one() const { return side_ == 0; }         // v^{[k]} = 1 at all levels
 
   // Encloses v^{[k]} - 1, with a relative error near 2^-bits.
   Ball offset(unsigned k, long bits) const;
@@ -51,6 +58,7 @@ class LevelValue {
   bool circular_ = false;
   int side_ = 0;  // sign of v0 - 1
   int arity_ = 2;
+  std::shared_ptr<const InverseBranch> branch_;  // of related(), unless v0 = 1
   std::string text_;
 };
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pictures: basic limit function, its derivatives as difference quotients, a curve, and both along a parameter.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sections.hpp"
+#include "twoscale/analysis/regularity.hpp"
+#include "twoscale/kernels/points_io.hpp"
+#include "twoscale/reports/curves.hpp"
+#include "twoscale/reports/html.hpp"
+#include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/expression.hpp"
+
+namespace twoscale::reports::scheme_page {
+
+namespace {
+
+// A closed polygon with short and long edges, a reflex vertex and an acute one.
+const std::vector<double> polygon = {0, 0, 2, 0.2, 3.2, 1.4, 2.4, 2.8, 1.6, 1.7, 0.6, 3.0, -0.6, 1.6};
+
+// As many levels as give a smooth picture.
+int levels_for(int arity, double points) {
+  int k = 1;
+  while (std::pow(arity, k) < points) ++k;
+  return k;
+}
+
+Line polygon_line() {
+  Line l;
+  l.values = polygon;
+  l.style = Line::Style::polygon;
+  l.closed = true;
+  l.title = "polygon";
+  return l;
+}
+
+Line curve_line(const Subject& s, const lowering::Binding& binding, const std::string& title, int colour) {
+  Line l;
+  l.values =
+      refine_points(s.scheme, binding, polygon, 2, levels_for(s.scheme.arity, 48), kernels::Boundary::closed).values;
+  l.closed = true;
+  l.title = title;
+  l.colour = colour;
+  return l;
+}
+
+// The difference quotient of a function given by points at equal distances, at the middles between them.
+std::vector<double> differentiated(const std::vector<double>& points) {
+  std::vector<double> d;
+  for (size_t j = 0; j + 3 < points.size(); j += 2)
+    d.insert(d.end(), {(points[j] + points[j + 2]) / 2, (points[j + 3] - points[j + 1]) / (points[j + 2] - points[j])});
+  return d;
+}
+
+// Values of one parameter to compare: spread over a bounded domain, or around the default.
+struct Sweep {
+  std::string name;
+  std::vector<std::string> values;
+};
+
+std::optional<Sweep> sweep_of(const Scheme& scheme) {
+  for (const auto& p : scheme.parameters) {
+    if (p.frequency && p.frequency->value()) continue;  // a fixed frequency
+    Sweep s;
+    s.name = p.spelling ? p.spelling->name : p.name;
+    const auto default_value = p.default_value.empty() ? std::nullopt : parse_real(p.default_value).rational();
+    if (p.domain && p.domain->low && p.domain->high) {
+      for (long i = 1; i <= 5; ++i)
+        s.values.push_back((*p.domain->low + (*p.domain->high - *p.domain->low) * Rational(i, 6)).to_string());
+    } else if (p.frequency && (!p.spelling || p.spelling->is_identity())) {
+      if (!p.spelling) s.name = "v0" + p.name.substr(1);
+      s.values = {"-1/2", "1/2", "1", "2", "10"};
+    } else if (default_value && !default_value->is_zero()) {
+      for (const Rational& factor : {Rational(0), Rational(1, 2), Rational(1), Rational(3, 2), Rational(2)})
+        s.values.push_back((*default_value * factor).to_string());
+    } else {
+      continue;
+    }
+    return s;
+  }
+  return std::nullopt;
+}
+
+// The binding of the subject with another value of one parameter; nothing where the scheme does not exist there.
+std::optional<lowering::Binding> binding_at(const Subject& s, const std::string& name, const std::string& value) {
+  std::vector<std::pair<std::string, std::string>> at;
+  for (const auto& [other, text] : s.binding.description)
+    if (other != name && !(name.starts_with("v0") && (other == "v0" || other == "t"))) at.emplace_back(other, text);
+  at.emplace_back(name, value);
+  try {
+    lowering::Binding b = lowering::bind(s.scheme, std::nullopt, std::nullopt, at);
+    lowering::lower(s.scheme, b, {1, 0, false, false});
+    return b;
+  } catch (const Error& e) {
+    if (e.kind == Error::Kind::io) throw;
+    return std::nullopt;
+  }
+}
+
+std::string figure(Part& part, SchemeReportSummary& summary, const std::string& name, const std::string& caption,
+                   const Picture& picture, const std::string& line) {
+  ++summary.pictures;
+  return "<figure id=\"picture-" + name + "\">\n" + embedded(part, name, caption, picture) + "\n<figcaption><strong>" +
+         escaped(caption) + "</strong>" +
+         (line.empty()
+              ? ""
+              : "<details><summary>Command</summary><pre class=\"shell\">" + command(line) + "</pre></details>") +
+         "</figcaption>\n</figure>\n";
+}
+
+Picture graph(std::vector<Line> lines) {
+  Picture p;
+  p.equal_axes = false;
+  p.height = 320;
+  p.x_label = "parameter";
+  p.lines = std::move(lines);
+  return p;
+}
+
+}  // namespace
+
+Part pictures(const Subject& s, SchemeReportSummary& summary) {
+  Part part;
+  part.html = "<section id=\"pictures\">\n<h2>Pictures</h2>\n<div class=\"panels\">\n";
+  const int levels = levels_for(s.scheme.arity, 96);
+  Line basic;
+  basic.values = basic_limit_function(s.scheme, s.binding, levels).values;
+  part.html += figure(part, summary, "basic", "Basic limit function", graph({basic}),
+                      "twoscale plot basic " + s.name + s.values + fmt::format(" --levels {} -o basic.svg", levels));
+
+  long continuity = 0;
+  if (s.all_fixed) {
+    analysis::RegularityOptions options;
+    options.jsr.seconds = 2;
+    options.jsr.width = Rational(1, 100);
+    try {
+      continuity = analysis::regularity(s.fixed, options).continuity;
+    } catch (const Error& e) {
+      if (e.kind == Error::Kind::io) throw;
+    }
+  }
+  std::vector<double> derivative = basic.values;
+  for (long order = 1; order <= std::min(continuity, 2L); ++order) {
+    derivative = differentiated(derivative);
+    Line l;
+    l.values = derivative;
+    l.colour = static_cast<int>(order);
+    part.html += figure(part, summary, "derivative-" + std::to_string(order),
+                        order == 1 ? "Its first derivative" : "Its second derivative", graph({l}), "");
+  }
+
+  kernels::PointSet points;
+  points.columns = kernels::default_columns(2);
+  points.dim = 2;
+  points.values = polygon;
+  part.files.emplace_back("data/polygon.csv", kernels::to_csv(points));
+  Picture curve;
+  curve.lines = {polygon_line(), curve_line(s, s.binding, "limit curve", 0)};
+  part.html += figure(part, summary, "curve", "A closed curve", curve,
+                      "twoscale plot curve " + s.name + s.values + " data/polygon.csv -o curve.svg");
+  part.numbers = {{"continuity_drawn", continuity}};
+  if (const auto sweep = sweep_of(s.scheme)) {
+    Picture basics = graph({});
+    Picture curves;
+    curves.lines.push_back(polygon_line());
+    int colour = 0;
+    nlohmann::ordered_json drawn = nlohmann::ordered_json::array();
+    for (const auto& value : sweep->values) {
+      const auto binding = binding_at(s, sweep->name, value);
+      if (!binding) continue;
+      Line l;
+      l.values = basic_limit_function(s.scheme, *binding, levels).values;
+      l.title = sweep->name + " = " + value;
+      l.colour = colour;
+      basics.lines.push_back(std::move(l));
+      curves.lines.push_back(curve_line(s, *binding, sweep->name + " = " + value, colour++));
+      drawn.push_back(value);
+    }
+    if (!basics.lines.empty()) {
+      part.html += figure(part, summary, "sweep-basic", "Basic limit functions along " + sweep->name, basics, "");
+      const bool v0 = sweep->name == "v0";
+      std::string list;
+      for (const auto& v : drawn) list += (list.empty() ? "" : ",") + v.get<std::string>();
+      part.html +=
+          figure(part, summary, "sweep-curve", "Curves along " + sweep->name, curves,
+                 v0 ? "twoscale plot sweep " + s.name + " --values=" + list + " data/polygon.csv -o sweep.svg" : "");
+      part.numbers["sweep"] = {{"name", sweep->name}, {"values", drawn}};
+    }
+  }
+  part.html += "</div>\n</section>\n";
+  return part;
+}
+
+}  // namespace twoscale::reports::scheme_page

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page about a scheme: its values, its sections in order, and all files written.
+#include <fmt/format.h>
+
+#include "sections.hpp"
+#include "twoscale/kernels/write_file.hpp"
+#include "twoscale/reports/html.hpp"
+#include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/expression.hpp"
+
+namespace twoscale::reports {
+
+namespace {
+
+using scheme_page::Subject;
+
+constexpr const char* drawn_start = "2";  // v^0 of a level parameter without a value
+
+// The values as --at spells them: those given, then what is missing of level parameters.
+lowering::Binding binding_of(const Scheme& scheme, const SchemeReportOptions& o) {
+  auto at = o.at;
+  if (!o.v0 && !o.t)
+    for (const auto& p : scheme.parameters) {
+      if (p.scope != Parameter::Scope::level || !p.default_value.empty()) continue;
+      if (p.frequency && p.frequency->value()) continue;
+      const std::string start = "v0" + (p.name[0] == 'v' ? p.name.substr(1) : "_" + p.name);
+      bool given = false;
+      for (const auto& [name, text] : at)
+        given = given || name == start || (p.spelling && name == p.spelling->name) ||
+                (p.frequency && (name == p.frequency->symbol || name == "v0_" + p.frequency->symbol));
+      if (!given && p.frequency) at.emplace_back(start, drawn_start);
+    }
+  return lowering::bind(scheme, o.v0, o.t, at);
+}
+
+std::string command_values(const lowering::Binding& b, const Scheme& scheme) {
+  std::string v0, at;
+  for (const auto& [name, value] : b.description) {
+    bool by_default = false;
+    for (const auto& p : scheme.parameters)
+      by_default =
+          by_default || ((p.name == name || (p.spelling && p.spelling->name == name)) && p.default_value == value);
+    if (by_default) continue;
+    if (name == "v0" || name == "t")
+      v0 = " --" + name + "=" + shell_quoted(value);
+    else
+      at += (at.empty() ? "" : ",") + name + "=" + value;
+  }
+  return v0 + (at.empty() ? "" : " --at " + shell_quoted(at));
+}
+
+Subject subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
+  lowering::Binding binding = binding_of(scheme, o);
+  std::vector<std::pair<std::string, RationalFunction>> values;
+  bool all = true;
+  for (const auto& p : scheme.parameters) {
+    if (p.scope != Parameter::Scope::constant) continue;
+    const auto value = binding.constants.at(p.name).rational();
+    all = all && value.has_value();
+    if (value) values.emplace_back(p.name, *value);
+  }
+  std::string text = command_values(binding, scheme);
+  return {scheme, with_values(scheme, values), all, std::move(binding), o, shell_quoted(o.name), std::move(text)};
+}
+
+std::string head(const Scheme& s) {
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+      escaped(s.id) + "</title>\n<style>" + page_style() + "</style>\n</head>\n<body>\n<header>\n<h1>" +
+      escaped(s.title) + "</h1>\n<p><code>" + escaped(s.id) + "</code>";
+  if (!s.source.empty()) html += ", " + escaped(s.source);
+  return html + "</p>\n</header>\n";
+}
+
+}  // namespace
+
+SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string& directory,
+                                        const SchemeReportOptions& options) {
+  symbol(scheme);  // refuses what has none
+  const Subject s = subject_of(scheme, options);
+  SchemeReportSummary summary;
+  const auto tell = [&](const char* step) {
+    if (options.progress) options.progress(step);
+  };
+  // Everything is computed before anything is written.
+  std::vector<std::pair<std::string, Part>> parts;
+  const auto add = [&](const char* id, const char* title, Part part) {
+    if (!part.html.empty()) parts.emplace_back(std::string(id) + "\n" + title, std::move(part));
+  };
+  add("definition", "Definition", scheme_page::definition(s));
+  add("parameters", "Parameters", scheme_page::parameters(s));
+  tell("claims");
+  add("claims", "What is proved", scheme_page::claims(s, summary));
+  tell("smoothness");
+  add("smoothness", "Smoothness", scheme_page::smoothness(s, summary));
+  tell("spectrum");
+  add("spectrum", "Spectrum", scheme_page::spectrum(s));
+  add("masks", "Masks", scheme_page::masks(s));
+  tell("pictures");
+  add("pictures", "Pictures", scheme_page::pictures(s, summary));
+
+  std::string navigation = "<nav><ul>\n";
+  std::string body;
+  nlohmann::ordered_json j;
+  j["format"] = "twoscale/report";
+  j["version"] = 1;
+  j["scheme"] = scheme.id;
+  for (const auto& [label, part] : parts) {
+    const std::string id = label.substr(0, label.find('\n'));
+    navigation += "<li><a href=\"#" + id + "\">" + escaped(label.substr(id.size() + 1)) + "</a></li>\n";
+    body += part.html;
+    j[id] = part.numbers;
+  }
+  navigation += "</ul></nav>\n";
+  const std::filesystem::path root(directory);
+  for (const char* part : {"certificates", "figures", "data"}) make_directory(root / part);
+  for (const auto& [label, part] : parts)
+    for (const auto& [name, bytes] : part.files) kernels::write_file((root / name).string(), bytes);
+  kernels::write_file((root / "report.json").string(), j.dump(1) + "\n");
+  // The page last: when it is there, everything it refers to is there too.
+  summary.index = (root / "index.html").string();
+  kernels::write_file(
+      summary.index,
+      head(scheme) + navigation + "<main>\n" + body + "</main>\n" +
+          fmt::format("<footer>twoscale {}. The page is self-contained. Formulas, verdicts and masks are exact "
+                      "or come with a proved bound; pictures are drawn in double precision. The commands are "
+                      "meant to be run in the directory of this page{}.</footer>\n</body>\n</html>\n",
+                      TWOSCALE_VERSION,
+                      options.name.find(".toml") == std::string::npos ? "" : ", with the scheme file there"));
+  return summary;
+}
+
+}  // namespace twoscale::reports

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page about a scheme, section by section: each takes the subject and returns its part of the page.
+#pragma once
+
+#include "../document.hpp"
+#include "twoscale/lowering/lower.hpp"
+#include "twoscale/reports/scheme_report.hpp"
+
+namespace twoscale::reports::scheme_page {
+
+// The scheme and the values it is drawn with.
+struct Subject {
+  const Scheme& scheme;  // with its parameters
+  Scheme fixed;          // with the values of its constants, if all are rational
+  bool all_fixed = true;
+  lowering::Binding binding;
+  const SchemeReportOptions& options;
+  std::string name;    // for commands, quoted for a shell
+  std::string values;  // for commands: " --at w=1/16", or nothing
+};
+
+Part definition(const Subject& s);
+Part parameters(const Subject& s);  // and the space
+Part claims(const Subject& s, SchemeReportSummary& summary);
+Part smoothness(const Subject& s, SchemeReportSummary& summary);
+Part spectrum(const Subject& s);
+Part masks(const Subject& s);
+Part pictures(const Subject& s, SchemeReportSummary& summary);
+
+// A certificate: a file beside the page, a link that holds it, what the checker says of it.
+std::string certificate_html(Part& part, const Subject& s, const std::string& name, const std::string& text,
+                             SchemeReportSummary& summary);
+
+}  // namespace twoscale::reports::scheme_page
