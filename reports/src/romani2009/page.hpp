@@ -2,7 +2,6 @@
 // What the parts of the page share, beside document.hpp.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,17 +29,6 @@ Part tension_part();
 
 // ---- Pieces
 
-<<<<<<< HEAD
-std::string page_style();
-// Makes the directory, and those above it. Throws Error(io).
-void make_directory(const std::filesystem::path& path);
-
-// <img> with the picture inside, and its file in figures/.
-std::string embedded(Part& part, const std::string& name, const std::string& alternative, const Picture& picture);
-std::string command(const std::string& line);         // a line of a <pre>, "$ " before it
-std::string shell_quoted(const std::string& word);    // only when it needs quotes
-=======
->>>>>>> toml
 std::string scheme_label(const std::string& scheme);  // "6-point harmonic"
 std::string v0_html(const std::string& v0);           // inline MathML, "-" for none
 
