@@ -235,11 +235,11 @@ std::string glasses_html(Part& part, Summary& summary) {
   SurfacePicture net = upright(sheet(polyhedron, {false, true}));
   net.net = true;
   panel("7a", "Control polyhedron", net, "");
-  const Scheme ring = tension_scheme(TensionForm::spline, "1");
+  const Scheme ring = make_scheme(tension_name(TensionForm::spline, "1"));
   const Direction along_v{ring, lowering::bind(ring, "0", std::nullopt, {}), measured_levels, Boundary::closed};
   const std::pair<const char*, const char*> glasses[] = {{"7b", "0"}, {"7c", "1/2"}, {"7d", "1"}};
   for (const auto& [id, t] : glasses) {
-    const Scheme vertical = tension_scheme(TensionForm::spline, t);
+    const Scheme vertical = make_scheme(tension_name(TensionForm::spline, t));
     const Direction along_u{vertical, lowering::bind(vertical, "cosh(1)", std::nullopt, {}), measured_levels,
                             Boundary::linear};
     const RefinedGrid glass = lowering::refine_grid(polyhedron, along_u, along_v, 0);
@@ -253,11 +253,9 @@ std::string glasses_html(Part& part, Summary& summary) {
   part.files.emplace_back("data/7.csv", kernels::grid_to_bytes(polyhedron, kernels::PointFormat::csv, {}));
   return html + "</div>\n<details><summary>Commands</summary><pre class=\"shell\">" +
          command(
-             "twoscale refine tension4 --v0 'cosh(1)' --open linear --tensor-v0 0 --tensor-closed --levels 4 "
-             "data/7.csv -o glass.obj   # t = 1") +
-         command(
-             "twoscale refine exponential-bspline:space='1,x,exp(t*x),exp(-t*x)' --v0 'cosh(1)' --open linear --tensor "
-             "tension4 --tensor-v0 0 --tensor-closed --levels 4 data/7.csv -o glass.obj   # t = 0") +
+             "twoscale refine " + shell_quoted(tension_name(TensionForm::spline, "1/2")) +
+             " --v0 'cosh(1)' --open linear --tensor tension4 --tensor-v0 0 --tensor-closed --levels 4 data/7.csv -o "
+             "glass.obj") +
          "</pre></details>\n</section>\n";
 }
 
