@@ -129,7 +129,9 @@ Range widened(Range r, double length) { return {r.middle() - length / 2, r.middl
 
 Range padded(Range r, bool logarithmic) {
   if (logarithmic) return {r.low / 1.1, r.high * 1.1};
-  const double length = r.length() > 0 ? r.length() : std::max(1.0, std::abs(r.low));
+  // A length that the nine digits of an axis cannot show is the rounding of a constant: the curvature of a circle.
+  const double size = std::max(std::abs(r.low), std::abs(r.high));
+  const double length = r.length() > 1e-7 * size ? r.length() : std::max(1.0, size);
   return widened(r, 1.12 * length);
 }
 

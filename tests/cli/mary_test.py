@@ -287,7 +287,8 @@ class Regularity(Mary):
 
 class Plot(Mary):
     def test_pictures(self):
-        for arguments in (["curve", TERNARY, self.polygon(5), "--v0", "cos(2*pi/5)"], ["basic", TERNARY, "--v0", "0"]):
+        for arguments in (["curve", TERNARY, self.polygon(5), "--v0", "cos(2*pi/5)"], ["basic", TERNARY, "--v0", "0"],
+                          ["curvature", TERNARY, self.polygon(5), "--v0", "cos(2*pi/5)"]):
             self.twoscale("plot", *arguments, "-o", self.path("p.svg"))
             self.assertGreater(os.path.getsize(self.path("p.svg")), 1000)
 
