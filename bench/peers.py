@@ -214,6 +214,10 @@ class Run:
                     theirs = pari_matsolve(folded, self.limit)
                     alive["pari"] = theirs is not None
                     self.compare(f"derive {name}", f"l={l}", ours, "PARI matsolve", theirs)
+                ternary = f"ternary/{name}/l:{l}"
+                if ternary in self.ours and l % 2 == 0:
+                    folded = self.json("derive", "--space", self.ours[ours]["label"], "--arity", "3")["folded"]
+                    self.compare(f"ternary {name}", f"l={l}", ternary, "PARI matsolve", pari_matsolve(folded, self.limit))
                 other = self.ours.get(f"ginac/{name}/l:{l}")
                 if other:
                     self.compare(f"derive {name}", f"l={l}", ours, "GiNaC lsolve+normal", other["seconds"])

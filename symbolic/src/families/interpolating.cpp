@@ -11,8 +11,9 @@ namespace {
 
 std::string of_arity(int arity) { return arity == 2 ? "" : ", arity " + std::to_string(arity); }
 
-Scheme interpolating(const SchemeName& name, const Space& space, const std::string& source) {
+Scheme interpolating(const SchemeName& name, const Space& space, const std::string& binary_source) {
   const int arity = arity_key(name);
+  const std::string source = (arity == 2 ? "" : "after ") + binary_source;
   // Points of the rule times arity, about the length of the mask: beyond it nothing can be done with exact masks.
   const unsigned largest = space.variables().empty() ? 4096 : 512;
   if (arity > 2 && space.dimension() * static_cast<unsigned>(arity) > largest)
