@@ -108,7 +108,8 @@ Rational limit_of(const RationalFunction& p, const Domain& domain) {
     return (!domain.low || r >= *domain.low) && (!domain.high || r <= *domain.high);
   };
   std::optional<Rational> found;
-  std::string reason;
+  std::string reason;       // why an attracting fixed point does not do
+  std::string alternation;  // that one does not attract monotonically
   bool irrational = false;
   const Polynomial equation = (p - x()).numerator();
   if (equation.is_zero()) bad_input("the relation is the identity: the parameter would be a constant");
@@ -123,7 +124,7 @@ Rational limit_of(const RationalFunction& p, const Domain& domain) {
     if (!in_closure(r)) continue;
     const Rational slope = value(derivative(p), r);
     if (slope < Rational(-1)) {
-      reason = "the relation decreases at its fixed point " + r.to_string() + ": values would alternate around it";
+      alternation = "the relation decreases at its fixed point " + r.to_string() + ": values would alternate around it";
       continue;
     }
     if (slope <= Rational(1)) continue;
@@ -136,6 +137,7 @@ Rational limit_of(const RationalFunction& p, const Domain& domain) {
   }
   if (found) return *found;
   if (!reason.empty()) bad_input(reason);
+  if (!alternation.empty()) bad_input(alternation);
   if (irrational)
     bad_input("the limit of the values would be irrational; rewrite the parameter so that it is rational");
   bad_input("no fixed point of the relation in the domain attracts the values (it needs a derivative greater than 1)");

@@ -98,7 +98,7 @@ TEST(LevelRelation, Refused) {
   names(refusal("2*g^2-1", 3, "(-2, 2)"), "monotone");  // no preimage below -1
   names(refusal("g^2", 2, "[0, 2]"), "monotone");       // and 0 is a fixed point
   names(refusal("g^2", 2, "(-1, 2)"), "monotone");
-  names(refusal("g^3", 2, "(-8, 8)"), "two limits");  // 1 and -1 attract, or the branch ends at 0
+  names(refusal("g^3", 2, "(-8, 8)"), "monotone");  // the branches of 1 and -1 end at 0
   names(refusal("2*g^2-1", 2, "[-1, 2]"), "must lie in");
   names(refusal("2*g^2-1", 2, "(-2, 2)"), "must lie in");
 }

@@ -2,7 +2,7 @@
 // The page about a scheme, section by section: each takes the subject and returns its part of the page.
 #pragma once
 
-#include "../document.hpp"
+#include "document.hpp"
 #include "twoscale/lowering/lower.hpp"
 #include "twoscale/reports/scheme_report.hpp"
 
