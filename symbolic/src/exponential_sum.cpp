@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 
 #include "twoscale/symbolic/error.hpp"
@@ -16,36 +17,40 @@ namespace {
 using GiNaC::ex;
 using Term = ExponentialSum::Term;
 
-constexpr unsigned greatest_power = 32;
-constexpr std::size_t most_terms = 2000;
+constexpr int greatest_power = 32;
+constexpr std::size_t most_terms = 1000;
+constexpr std::size_t most_products = 20000;  // in one multiplication
+constexpr int most_turns = 10000;
 
-bool same(const ExponentialMonomial& a, const ExponentialMonomial& b) {
-  return a.degree == b.degree && a.lambda.is_equal(b.lambda);
+// Exponents to coefficients, in an order that holds within one run of the program.
+struct Before {
+  bool operator()(const ExponentialMonomial& a, const ExponentialMonomial& b) const {
+    return a.degree != b.degree ? a.degree < b.degree : a.lambda.compare(b.lambda) < 0;
+  }
+  using Pair = std::pair<ExponentialMonomial, ExponentialMonomial>;
+  bool operator()(const Pair& a, const Pair& b) const {
+    if ((*this)(a.first, b.first)) return true;
+    return !(*this)(b.first, a.first) && (*this)(a.second, b.second);
+  }
+};
+using Sum = std::map<Before::Pair, ex, Before>;
+
+void add(Sum& sum, const ExponentialMonomial& u, const ExponentialMonomial& v, const ex& coefficient) {
+  const auto [at, fresh] = sum.try_emplace({u, v}, coefficient);
+  if (!fresh) at->second = (at->second + coefficient).expand();
+  if (at->second.is_zero()) sum.erase(at);
+  if (sum.size() > most_terms) bad_input("a formula with more than " + std::to_string(most_terms) + " terms");
 }
 
-void add(std::vector<Term>& sum, Term term) {
-  for (Term& t : sum)
-    if (same(t.u, term.u) && same(t.v, term.v)) {
-      t.coefficient = (t.coefficient + term.coefficient).expand();
-      return;
-    }
-  if (sum.size() == most_terms) bad_input("a formula with more than " + std::to_string(most_terms) + " terms");
-  sum.push_back(std::move(term));
-}
-
-std::vector<Term> without_zeros(std::vector<Term> terms) {
-  std::erase_if(terms, [](const Term& t) { return t.coefficient.is_zero(); });
-  return terms;
-}
-
-std::vector<Term> product(const std::vector<Term>& a, const std::vector<Term>& b) {
-  std::vector<Term> r;
-  for (const Term& s : a)
-    for (const Term& t : b)
-      add(r, {(s.coefficient * t.coefficient).expand(),
-              {s.u.degree + t.u.degree, (s.u.lambda + t.u.lambda).expand()},
-              {s.v.degree + t.v.degree, (s.v.lambda + t.v.lambda).expand()}});
-  return without_zeros(std::move(r));
+Sum product(const Sum& a, const Sum& b) {
+  if (a.size() * b.size() > most_products)
+    bad_input("a formula that needs more than " + std::to_string(most_products) + " products");
+  Sum r;
+  for (const auto& [s, c] : a)
+    for (const auto& [t, d] : b)
+      add(r, {s.first.degree + t.first.degree, (s.first.lambda + t.first.lambda).expand()},
+          {s.second.degree + t.second.degree, (s.second.lambda + t.second.lambda).expand()}, (c * d).expand());
+  return r;
 }
 
 // The terms of a formula.
@@ -53,23 +58,24 @@ class Reader {
  public:
   Reader(GiNaC::symbol u, GiNaC::symbol v) : u_(std::move(u)), v_(std::move(v)) {}
 
-  std::vector<Term> terms(const ex& e) const {
+  Sum terms(const ex& e) const {
+    Sum sum;
     if (!e.has(u_) && !e.has(v_)) {
       if (!names_in(e).empty()) bad_input("a formula of u and v knows no other name", names_in(e).front());
-      return without_zeros({{e.expand(), {}, {}}});
+      add(sum, {}, {}, e.expand());
+      return sum;
     }
-    if (e.is_equal(u_)) return {{1, {1, 0}, {}}};
-    if (e.is_equal(v_)) return {{1, {}, {1, 0}}};
+    if (e.is_equal(u_)) return {{{{1, 0}, {}}, 1}};
+    if (e.is_equal(v_)) return {{{{}, {1, 0}}, 1}};
     if (GiNaC::is_a<GiNaC::add>(e)) {
-      std::vector<Term> sum;
       for (const ex& part : e)
-        for (Term& t : terms(part)) add(sum, std::move(t));
-      return without_zeros(std::move(sum));
+        for (const auto& [at, c] : terms(part)) add(sum, at.first, at.second, c);
+      return sum;
     }
     if (GiNaC::is_a<GiNaC::mul>(e)) {
-      std::vector<Term> r = {{1, {}, {}}};
-      for (const ex& factor : e) r = product(r, terms(factor));
-      return r;
+      add(sum, {}, {}, 1);
+      for (const ex& factor : e) sum = product(sum, terms(factor));
+      return sum;
     }
     if (GiNaC::is_a<GiNaC::power>(e)) return power(e);
     using GiNaC::I;
@@ -91,7 +97,7 @@ class Reader {
   }
 
   // a exp(w x) + b exp(-w x) for the argument x = alpha u + beta v + gamma of e.
-  std::vector<Term> exponentials(const ex& e, const ex& w, const ex& a, const ex& b) const {
+  Sum exponentials(const ex& e, const ex& w, const ex& a, const ex& b) const {
     const ex x = e.op(0).expand();
     const ex alpha = x.diff(u_), beta = x.diff(v_);
     if (alpha.has(u_) || alpha.has(v_) || beta.has(u_) || beta.has(v_)) refuse(e);
@@ -104,23 +110,26 @@ class Reader {
       if (w.is_equal(GiNaC::I)) return GiNaC::cos(gamma) + sign * GiNaC::I * GiNaC::sin(gamma);
       return GiNaC::exp(sign * gamma);
     };
-    std::vector<Term> r;
-    add(r, {(a * phase(1)).expand(), {0, (w * alpha).expand()}, {0, (w * beta).expand()}});
-    add(r, {(b * phase(-1)).expand(), {0, (-w * alpha).expand()}, {0, (-w * beta).expand()}});
-    return without_zeros(std::move(r));
+    Sum r;
+    add(r, {0, (w * alpha).expand()}, {0, (w * beta).expand()}, (a * phase(1)).expand());
+    add(r, {0, (-w * alpha).expand()}, {0, (-w * beta).expand()}, (b * phase(-1)).expand());
+    return r;
   }
 
-  std::vector<Term> power(const ex& e) const {
-    const ex n = e.op(1);
-    if (!n.info(GiNaC::info_flags::integer)) refuse(e);
-    const int exponent = GiNaC::ex_to<GiNaC::numeric>(n).to_int();
-    if (std::abs(exponent) > static_cast<int>(greatest_power)) refuse(e);
-    std::vector<Term> base = terms(e.op(0));
+  Sum power(const ex& e) const {
+    if (!e.op(1).info(GiNaC::info_flags::integer)) refuse(e);
+    const GiNaC::numeric n = GiNaC::ex_to<GiNaC::numeric>(e.op(1));
+    if (n > greatest_power || n < -greatest_power) refuse(e);
+    const int exponent = n.to_int();
+    Sum base = terms(e.op(0));
     if (exponent < 0) {  // only c exp(...) has an inverse here
-      if (base.size() != 1 || base[0].u.degree != 0 || base[0].v.degree != 0) refuse(e);
-      base = {{1 / base[0].coefficient, {0, -base[0].u.lambda}, {0, -base[0].v.lambda}}};
+      if (base.size() != 1) refuse(e);
+      const auto [at, c] = *base.begin();
+      if (at.first.degree != 0 || at.second.degree != 0) refuse(e);
+      base = {{{{0, -at.first.lambda}, {0, -at.second.lambda}}, 1 / c}};
     }
-    std::vector<Term> r = {{1, {}, {}}};
+    Sum r;
+    add(r, {}, {}, 1);
     for (int i = 0; i < std::abs(exponent); ++i) r = product(r, base);
     return r;
   }
@@ -172,7 +181,9 @@ ExponentialSum::ExponentialSum(std::vector<Term> terms) : terms_(std::move(terms
 ExponentialSum ExponentialSum::parse(std::string_view formula) {
   Symbols symbols;
   const ex e = parse_expression(formula, symbols);
-  return ExponentialSum(Reader(symbols["u"], symbols["v"]).terms(e));
+  std::vector<Term> terms;
+  for (const auto& [at, c] : Reader(symbols["u"], symbols["v"]).terms(e)) terms.push_back({c, at.first, at.second});
+  return ExponentialSum(std::move(terms));
 }
 
 ExactReal ExponentialSum::at(const ex& u, const ex& v) const {
@@ -223,7 +234,7 @@ std::vector<long> turns(const std::vector<ExponentialSum>& sums, Axis axis, cons
         bad_input("the direction " + direction + " does not close after " + std::to_string(count) + " steps of " +
                       number_expression(line.step) + ", because of the frequency",
                   number_expression(f.trigonometric ? f.theta : m.lambda));
-      if (n > 1000000) bad_input("too many turns", number_expression(n));
+      if (n > most_turns) bad_input("too many turns", number_expression(n));
       list.push_back(GiNaC::ex_to<GiNaC::numeric>(n).to_long());
     }
   std::sort(list.begin(), list.end());
@@ -233,12 +244,15 @@ std::vector<long> turns(const std::vector<ExponentialSum>& sums, Axis axis, cons
 
 long least_closed_samples(std::vector<long> turns) {
   turns.push_back(0);
-  for (long n = 3;; ++n) {
+  std::vector<bool> taken(2 * static_cast<std::size_t>(*std::max_element(turns.begin(), turns.end())) + 1, false);
+  for (const long a : turns)
+    for (const long b : turns)
+      for (const long sum : {a + b, a - b})
+        if (sum > 0) taken[static_cast<std::size_t>(sum)] = true;
+  for (std::size_t n = 3;; ++n) {
     bool determined = true;
-    for (const long a : turns)
-      for (const long b : turns)
-        for (const long sum : {a + b, a - b}) determined = determined && (sum == 0 || sum % n != 0);
-    if (determined) return n;
+    for (std::size_t multiple = n; multiple < taken.size(); multiple += n) determined = determined && !taken[multiple];
+    if (determined) return static_cast<long>(n);
   }
 }
 

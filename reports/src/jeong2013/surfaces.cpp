@@ -23,7 +23,7 @@ using lowering::Summand;
 using lowering::SurfaceMethod;
 
 constexpr unsigned measured_levels = 4;
-constexpr std::size_t drawn_quads = 32;
+constexpr double drawn_quads = 1300;
 
 const std::vector<std::string> coordinates = {"x", "y", "z"};
 
@@ -98,6 +98,37 @@ std::string pairs_text(const Way& w) {
   return text;
 }
 
+// Fewer rows and columns: about `drawn_quads` quads, as nearly square on average as the grid allows.
+Sheet thinned(const PointGrid& grid, kernels::Closings closings) {
+  const auto [rows, columns] = grid.size;
+  const auto point = [&](std::size_t i, std::size_t j) { return &grid.points.values[3 * (i * columns + j)]; };
+  const auto distance = [](const double* a, const double* b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  };
+  double along_u = 0, along_v = 0;
+  for (std::size_t i = 0; i + 1 < rows; ++i)
+    for (std::size_t j = 0; j + 1 < columns; ++j) {
+      along_u += distance(point(i, j), point(i + 1, j));
+      along_v += distance(point(i, j), point(i, j + 1));
+    }
+  const double length_u = along_u / static_cast<double>(columns), length_v = along_v / static_cast<double>(rows);
+  // Every step-th index. A closed direction is cut evenly, so that a surface that closes with a twist fits itself.
+  const auto kept = [](std::size_t n, bool closed, double most) {
+    auto step = static_cast<std::size_t>(std::max(1.0, std::round(static_cast<double>(n) / most)));
+    while (closed && n % step != 0) --step;
+    std::vector<std::size_t> list;
+    for (std::size_t i = 0; i < n; i += step) list.push_back(i);
+    if (!closed && list.back() != n - 1) list.push_back(n - 1);
+    return list;
+  };
+  const auto some_rows = kept(rows, closings.u, std::max(8.0, std::sqrt(drawn_quads * length_u / length_v)));
+  const auto some_columns = kept(columns, closings.v, std::max(8.0, std::sqrt(drawn_quads * length_v / length_u)));
+  Sheet s{{}, {some_rows.size(), some_columns.size()}, closings};
+  for (const std::size_t i : some_rows)
+    for (const std::size_t j : some_columns) s.values.insert(s.values.end(), point(i, j), point(i, j) + 3);
+  return s;
+}
+
 // The part that is drawn: all rows, or the first ones of a surface that is covered twice.
 SurfacePicture picture(const Surface& s, const RefinedGrid& refined) {
   PointGrid grid = refined.grid;
@@ -108,7 +139,7 @@ SurfacePicture picture(const Surface& s, const RefinedGrid& refined) {
     closings.u = false;
   }
   SurfacePicture p;
-  p.sheet = sheet(grid, closings, drawn_quads);
+  p.sheet = thinned(grid, closings);
   return p;
 }
 
@@ -247,7 +278,7 @@ std::string glasses_html(Part& part, Summary& summary) {
     ++summary.exact_runs;
     summary.largest_exact_deviation = std::max(summary.largest_exact_deviation, spread);
     part.numbers.push_back(nlohmann::ordered_json{{"surface", id}, {"t", t}, {"roundness", spread}});
-    panel(id, std::string("Vertical t = ") + t, upright(sheet(glass.grid, *glass.grid.closings, drawn_quads)),
+    panel(id, std::string("Vertical t = ") + t, upright(thinned(glass.grid, *glass.grid.closings)),
           "<br/>All rings are circles: spread of their radii at most " + number_text(spread) + ".");
   }
   part.files.emplace_back("data/7.csv", kernels::grid_to_bytes(polyhedron, kernels::PointFormat::csv, {}));
