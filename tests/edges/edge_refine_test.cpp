@@ -137,34 +137,35 @@ TEST(EdgeTension, StraightLinesStayStraight) {
   }
 }
 
-// The region of docs/per-edge-tension.md, f^k_i for (l-1)(2^k - 2)/2^k edges and more from a change, is exact and
-// sharp.
+// The region of docs/per-edge-tension.md is exact and sharp: a_1 = m A, a_{k+1} = m (a_k + l - 1), mirrored at the end.
 TEST(EdgeTension, UniformCurvesAppearWhereTheirStencilsDo) {
-  for (const auto& [scheme, l] : {std::pair<std::string, long>{"tension4", 2},
-                                  std::pair<std::string, long>{"interpolating:family=mixed,l=3", 3}}) {
-    const long n = 16, begin = 3, end = 12;  // edges begin..end-1 have v^0 = 2
+  struct Case {
+    std::string scheme;
+    long l;
+    unsigned levels;
+  };
+  for (const Case& c : {Case{"tension4", 2, 5}, Case{"interpolating:family=mixed,l=3", 3, 5},
+                        Case{"interpolating:arity=3,space=\"1,x,exp(t*x),exp(-t*x)\"", 2, 3}}) {
+    const Scheme s = make_scheme(c.scheme);
+    const long n = 16, begin = 3, end = 12, m = s.arity;  // edges begin..end-1 have v^0 = 2
     const auto p = random_points(static_cast<std::size_t>(n), 4);
     std::vector<std::string> mixed(static_cast<std::size_t>(n), "0.25"), uniform(static_cast<std::size_t>(n), "2");
     for (long j = begin; j < end; ++j) mixed[static_cast<std::size_t>(j)] = "2";
-    const unsigned levels = 5;
-    const Scheme s = make_scheme(scheme);
-    const lowering::RefineOptions options{levels, Boundary::closed, 25};
+    const lowering::RefineOptions options{c.levels, Boundary::closed, 25};
     const PointSet a = lowering::refine_edges(s, with_tensions(p, mixed), options);
     const PointSet b = lowering::refine_edges(s, with_tensions(p, uniform), options);
-    // a_1 = 2 begin, a_{k+1} = 2 (a_k + l - 1), mirrored at the other end.
-    long first = 2 * begin, last = 2 * end;
-    for (unsigned k = 1; k < levels; ++k) {
-      first = 2 * (first + l - 1);
-      last = 2 * (last - l + 1);
+    long first = m * begin, last = m * end;
+    for (unsigned k = 1; k < c.levels; ++k) {
+      first = m * (first + c.l - 1);
+      last = m * (last - c.l + 1);
     }
-    EXPECT_EQ(first, (1L << levels) * begin + (l - 1) * ((1L << levels) - 2));
     const auto same = [&](long i) {
       const auto at = static_cast<std::size_t>(3 * i);
       return a.tokens[at] == b.tokens[at] && a.tokens[at + 1] == b.tokens[at + 1];
     };
-    for (long i = first; i <= last; ++i) EXPECT_TRUE(same(i)) << scheme << " " << i;
-    EXPECT_FALSE(same(first - 1)) << scheme;
-    EXPECT_FALSE(same(last + 1)) << scheme;
+    for (long i = first; i <= last; ++i) EXPECT_TRUE(same(i)) << c.scheme << " " << i;
+    EXPECT_FALSE(same(first - 1)) << c.scheme;
+    EXPECT_FALSE(same(last + 1)) << c.scheme;
   }
 }
 
