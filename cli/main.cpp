@@ -49,6 +49,8 @@ int main(int argc, char** argv) {
   cli::add_report_command(app, session);
   cli::add_regularity_command(app, session);
   cli::add_new_command(app, session);
+  cli::add_two_scale_command(app, session);
+  cli::add_lifting_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {

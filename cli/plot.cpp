@@ -15,6 +15,7 @@
 #include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
+#include "twoscale/lowering/refine_points.hpp"
 #include "twoscale/reports/curves.hpp"
 #include "twoscale/reports/surface_plot.hpp"
 #include "twoscale/symbolic/catalog.hpp"
@@ -48,7 +49,8 @@ struct Options {
 };
 
 struct Data {
-  PointSet points;
+  PointSet points;                    // coordinates
+  std::optional<PointSet> tensioned;  // the same with the column v0, if there is one
   Boundary boundary = Boundary::closed;
   bool closed() const { return boundary == Boundary::closed; }
 };
@@ -57,6 +59,10 @@ Data read_data(const Options& o) {
   if (o.input.empty()) bad_input("plot " + o.kind + ": a file of points is missing", o.kind + " " + o.scheme);
   Data d;
   d.points = kernels::read_points(o.input);
+  if (lowering::has_edge_tension(d.points)) {
+    d.tensioned = d.points;
+    d.points = lowering::without_edge_tension(d.points);
+  }
   if (!o.open.empty()) d.boundary = kernels::parse_boundary(o.open);
   if (!o.open.empty() && d.closed()) bad_input("--open takes given, linear or space", o.open);
   return d;
@@ -71,10 +77,29 @@ std::size_t coordinates(const PointSet& points, bool plane_only, const Options& 
   return points.dim;
 }
 
-Refined refine(const Scheme& s, const lowering::Binding& binding, const Data& d, const Options& o) {
+void check_size(const Scheme& s, const Data& d, const Options& o) {
   const double size = static_cast<double>(d.points.size()) * std::pow(s.arity, o.levels);
   if (size > most_points) bad_input("--levels: too many points for a picture", std::to_string(o.levels));
+}
+
+Refined refine(const Scheme& s, const lowering::Binding& binding, const Data& d, const Options& o) {
+  check_size(s, d, o);
   return reports::refine_points(s, binding, d.points.values, d.points.dim, o.levels, d.boundary);
+}
+
+// With the values of the command line, or those of the edges.
+Refined refine(const Scheme& s, const Data& d, const Options& o) {
+  if (!d.tensioned) return refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
+  if (o.at.v0 || o.at.t || !o.at.at.empty())
+    bad_input("the points have a column v0 of their own, beside --v0, --t or --at", o.input);
+  check_size(s, d, o);
+  const PointSet fine = lowering::without_edge_tension(
+      lowering::refine_edges(s, *d.tensioned, {static_cast<unsigned>(o.levels), d.boundary, 0}));
+  Refined r;
+  r.values = fine.values;
+  r.dim = fine.dim;
+  r.step = std::pow(s.arity, -o.levels);
+  return r;
 }
 
 Line polygon(const Scheme& s, const Data& d) {
@@ -116,7 +141,7 @@ Picture basic(const Scheme& s, const Options& o) {
 Picture curve(const Scheme& s, const Options& o) {
   const Data d = read_data(o);
   coordinates(d.points, false, o);
-  const Refined r = refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
+  const Refined r = refine(s, d, o);
   Picture p;
   p.lines = {polygon(s, d), curve_line(r, d, "limit curve", 0)};
   p.title = s.id;
@@ -133,6 +158,7 @@ Picture sweep(const Scheme& s, const Options& o) {
   if (values.empty() || values.size() > 24) bad_input("--values: from 1 to 24 values", o.values);
   const Data d = read_data(o);
   coordinates(d.points, false, o);
+  if (d.tensioned) bad_input("plot sweep: the points have a column v0 of their own, beside --values", o.input);
   Picture p;
   p.title = s.id;
   p.lines.push_back(polygon(s, d));
@@ -146,7 +172,7 @@ Picture sweep(const Scheme& s, const Options& o) {
 Picture comb(const Scheme& s, const Options& o) {
   const Data d = read_data(o);
   coordinates(d.points, true, o);
-  const Refined r = refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
+  const Refined r = refine(s, d, o);
   const std::vector<double> k = reports::curvature(r.values, d.closed());
   double greatest = 0, low[2] = {r.values[0], r.values[1]}, high[2] = {r.values[0], r.values[1]};
   for (double x : k)
@@ -186,7 +212,7 @@ Picture comb(const Scheme& s, const Options& o) {
 Picture curvature_graph(const Scheme& s, const Options& o) {
   const Data d = read_data(o);
   coordinates(d.points, true, o);
-  const Refined r = refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
+  const Refined r = refine(s, d, o);
   const std::vector<double> k = reports::curvature(r.values, d.closed());
   Line l;
   for (std::size_t j = 0; j < k.size(); ++j)

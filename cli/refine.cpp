@@ -30,7 +30,8 @@ int run(const Options& o, const Common& common) {
   const kernels::PointFormat format = kernels::point_format(target);
   if (!o.open.empty()) open_rule("--open", o.open);
   const Scheme s = make_scheme(o.scheme);
-  const lowering::Binding b = lowering::bind(s, o.values.v0, o.values.t, o.values.named());
+  const bool values = o.values.v0 || o.values.t || !o.values.at.empty();
+  if (values) lowering::bind(s, o.values.v0, o.values.t, o.values.named());
   const kernels::PointFile in = kernels::read_point_file(o.input);
   if (const auto* grid = std::get_if<kernels::PointGrid>(&in)) {
     const Directions d = directions({o.scheme, o.values, o.levels, o.open, o.closed}, o.tensor, *grid);
@@ -43,7 +44,17 @@ int run(const Options& o, const Common& common) {
   options.levels = o.levels;
   options.digits = o.digits;
   if (!o.open.empty()) options.boundary = kernels::parse_boundary(o.open);
-  const kernels::PointSet out = lowering::refine_points(s, b, std::get<kernels::PointSet>(in), options);
+  const auto& points = std::get<kernels::PointSet>(in);
+  kernels::PointSet out;
+  if (lowering::has_edge_tension(points)) {
+    if (values) bad_input("the points have a column v0 of their own, beside --v0, --t or --at", o.input);
+    out = lowering::refine_edges(s, points, options);
+    // Formats of plain geometry have no place for it.
+    if (format == kernels::PointFormat::obj || format == kernels::PointFormat::svg)
+      out = lowering::without_edge_tension(out);
+  } else {
+    out = lowering::refine_points(s, lowering::bind(s, o.values.v0, o.values.t, o.values.named()), points, options);
+  }
   const bool closed = options.boundary == kernels::Boundary::closed;
   kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));
   return 0;

@@ -6,8 +6,9 @@
 #include "session.hpp"
 #include "twoscale/kernels/export/table_writer.hpp"
 #include "twoscale/kernels/write_file.hpp"
-#include "twoscale/lowering/lower.hpp"
+#include "twoscale/lowering/normalised.hpp"
 #include "twoscale/symbolic/catalog.hpp"
+#include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::cli {
 
@@ -21,6 +22,7 @@ struct Options {
   bool doubles = false;
   bool hex = false;
   std::string prefix;
+  std::string normalisation = "arity";
 };
 
 // For people: the facts, then one line a coefficient with the decimal points in one column.
@@ -37,6 +39,7 @@ std::string table_text(const kernels::MaskTable& t) {
   out << "rule           f^{k+1}_i = sum_j a^{[k]}_{i-" << m << "*j} f^k_j, arity " << m << "\n";
   out << "support        [" << t.limit.lowest << ", " << t.limit.highest() << "]\n";
   out << "p              " << t.shift << "; f^k_j belongs to (j + p)/" << m << "^k\n";
+  if (!t.printed.empty()) out << "printed        " << t.printed << "\n";
   out << "normalisation  " << t.normalisation << "\n";
   out << "precision      "
       << (t.digits > 0 ? std::to_string(t.digits) + " significant digits" : "correctly rounded doubles")
@@ -66,12 +69,19 @@ std::string table_text(const kernels::MaskTable& t) {
 }
 
 int run(const Options& o, const Common& common) {
+  const lowering::Normalisation normalisation = lowering::parse_normalisation(o.normalisation);
+  const bool data =
+      common.format == "text" || common.format == "json" || common.format == "csv" || common.format == "npy";
+  if (normalisation != lowering::Normalisation::arity && !data)
+    bad_input(
+        "--normalisation goes with text, json, csv and npy; format " + common.format + " applies the mask as it is",
+        o.normalisation);
   const Scheme s = make_scheme(o.scheme);
   const lowering::Binding b = lowering::bind(s, o.values.v0, o.values.t, o.values.named());
   lowering::LowerOptions options;
   options.levels = o.levels;
   options.digits = o.doubles ? 0 : o.digits;
-  const kernels::MaskTable t = lowering::lower(s, b, options);
+  const kernels::MaskTable t = lowering::lower_normalised(s, normalisation, b, options);
   if (common.format == "text") {
     deliver(common, table_text(t));
   } else {
@@ -99,6 +109,11 @@ void add_table_command(CLI::App& app, Session& session) {
   CLI::Option* digits = c->add_option("--digits", o->digits, "significant digits, all correct; 17 by default")
                             ->check(CLI::Range(17, 10000))
                             ->type_name("D");
+  c->add_option("--normalisation", o->normalisation,
+                "what is printed: arity (a_i as it is), sum1 (a_i/m), sqrt2 (a_i/sqrt(m)), convolution (exponential "
+                "B-splines as plain convolutions)")
+      ->check(CLI::IsMember({"arity", "sum1", "sqrt2", "convolution"}))
+      ->type_name("N");
   c->add_flag("--double", o->doubles, "correctly rounded doubles, shortest texts")->excludes(digits);
   c->add_flag("--hex", o->hex, "C and C++: hexadecimal floating-point literals");
   c->add_option("--prefix", o->prefix, "C and C++: prefix or namespace of all names")->type_name("NAME");

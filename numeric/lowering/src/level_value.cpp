@@ -133,9 +133,9 @@ ExactReal LevelValue::exact(unsigned k) const {
   return ExactReal::apply(F::cosh, ExactReal::apply(F::acosh, v0_) / scale);
 }
 
-// t > 0 with v^0 = cosh t, or s in (0, pi) with v^0 = cos s.
 Ball LevelValue::angle(long bits) const {
   Ball r;
+  if (side_ == 0) return r;
   if (angle_) {
     r = angle_->enclose(bits);
     arb_abs(r.raw(), r.raw());

@@ -49,7 +49,7 @@ struct Factor {
 
 class Lowering {
  public:
-  Lowering(const Scheme& scheme, const Binding& binding, const LowerOptions& options)
+  Lowering(const Scheme& scheme, const Laurent& mask, const Binding& binding, const LowerOptions& options)
       : scheme_(scheme),
         binding_(binding),
         options_(options),
@@ -61,7 +61,7 @@ class Lowering {
     if (options.digits != 0 && (options.digits < least_digits || options.digits > most_digits))
       bad_input("digits must lie between " + std::to_string(least_digits) + " and " + std::to_string(most_digits),
                 std::to_string(options.digits));
-    read_mask();
+    read_mask(mask);
   }
 
   kernels::MaskTable run() {
@@ -110,8 +110,7 @@ class Lowering {
 
   // ---- The mask as distinct entries over one denominator
 
-  void read_mask() {
-    const Laurent mask = symbol(scheme_);
+  void read_mask(const Laurent& mask) {
     lowest_ = mask.lowest();
     const CommonDenominator d = common_denominator(mask.coefficients());
     content_ = d.content;
@@ -665,7 +664,12 @@ class Lowering {
 }  // namespace
 
 kernels::MaskTable lower(const Scheme& scheme, const Binding& binding, const LowerOptions& options) {
-  return Lowering(scheme, binding, options).run();
+  return lower(scheme, symbol(scheme), binding, options);
+}
+
+kernels::MaskTable lower(const Scheme& scheme, const Laurent& values, const Binding& binding,
+                         const LowerOptions& options) {
+  return Lowering(scheme, values, binding, options).run();
 }
 
 }  // namespace twoscale::lowering

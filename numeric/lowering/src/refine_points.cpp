@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "twoscale/lowering/refine_points.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "digits.hpp"
+#include "rounding.hpp"
+#include "twoscale/kernels/edge_refine.hpp"
 #include "twoscale/kernels/number_text.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::lowering {
 
-kernels::PointSet refine_points(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
-                                const RefineOptions& options) {
+namespace {
+
+void check_request(const Scheme& scheme, const kernels::PointSet& points, const RefineOptions& options) {
   check_output_size(static_cast<double>(points.size()) * std::pow(scheme.arity, options.levels), points.dim,
                     options.digits,
                     std::to_string(points.size()) + " points, " + std::to_string(options.levels) + " levels of arity " +
@@ -19,21 +25,169 @@ kernels::PointSet refine_points(const Scheme& scheme, const Binding& binding, co
     bad_input("a closed polygon needs at least 3 points, not " + std::to_string(points.size()));
   if (options.boundary == kernels::Boundary::space && !scheme.space)
     bad_input("the scheme has no function space that could extend an open polygon", scheme.id);
-  LowerOptions lowering{options.levels, 0, options.boundary == kernels::Boundary::space, false};
+}
+
+LowerOptions lowering_options(const RefineOptions& options, long digits) {
+  return {options.levels, digits, options.boundary == kernels::Boundary::space, false};
+}
+
+void check_finite(const std::vector<double>& values) {
+  for (const double x : values)
+    if (!std::isfinite(x)) bad_input("a refined number does not fit a double", kernels::shortest(x));
+}
+
+// ---- A v^0 for each edge
+
+constexpr const char* tension_column = "v0";
+constexpr size_t most_tensions = 65536;
+
+size_t column_of_tension(const kernels::PointSet& points) {
+  return static_cast<size_t>(std::find(points.columns.begin(), points.columns.end(), tension_column) -
+                             points.columns.begin());
+}
+
+// The coordinates, the distinct values of v0 and which of them each edge has.
+struct EdgeTensions {
+  kernels::PointSet points;
+  std::vector<Rational> values;
+  std::vector<std::string> texts;
+  std::vector<size_t> edges;
+};
+
+EdgeTensions edge_tensions(const kernels::PointSet& in) {
+  if (!has_edge_tension(in)) bad_input("the points have no column", tension_column);
+  if (in.dim < 2) bad_input("the points have no coordinates beside the column", tension_column);
+  EdgeTensions e;
+  e.points = without_edge_tension(in);
+  std::map<Rational, size_t> known;
+  for (size_t i = column_of_tension(in); i < in.values.size(); i += in.dim) {
+    const std::string token = i < in.tokens.size() ? in.tokens[i] : kernels::shortest(in.values[i]);
+    const auto [at, added] = known.emplace(exact_decimal(token), e.values.size());
+    if (added) {
+      e.values.push_back(at->first);
+      e.texts.push_back(token);
+      if (e.values.size() > most_tensions)
+        bad_input("too many different values of v0, at most " + std::to_string(most_tensions), token);
+    }
+    e.edges.push_back(at->second);
+  }
+  return e;
+}
+
+// v^{[K]} as it is printed and as a double.
+std::pair<std::string, double> refined_tension(const LevelValue& v, const std::string& text, unsigned levels,
+                                               long digits) {
+  if (v.is_one()) return {"1", 1.0};
+  if (levels == 0) return {text, *kernels::parse_double(text)};
+  for (long bits = 128 + 4 * digits; bits <= 1L << 18; bits *= 2) {
+    Ball x = v.offset(levels, bits);
+    arb_add_ui(x.raw(), x.raw(), 1, bits);
+    double value = 0;
+    if (x.contains_zero() || !rounded_double(x, value)) continue;
+    if (digits == 0) return {kernels::shortest(value), value};
+    if (std::string decimal = rounded_decimal(x, digits); !decimal.empty()) return {std::move(decimal), value};
+  }
+  throw Error(Error::Kind::undecided, "cannot decide the last digit of the refined v0", text);
+}
+
+}  // namespace
+
+kernels::PointSet refine_points(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
+                                const RefineOptions& options) {
+  check_request(scheme, points, options);
   const int levels = static_cast<int>(options.levels);
   if (options.digits != 0)
     return with_digits({{&points}}, options.digits, [&](const auto& in, Precision precision) {
-      lowering.digits = precision.digits;
       return kernels::refine<Real>(
-          in[0], points.dim, lower(scheme, binding, lowering), levels, options.boundary,
+          in[0], points.dim, lower(scheme, binding, lowering_options(options, precision.digits)), levels,
+          options.boundary,
           [&](const std::string& text, double) { return coefficient(text, precision.digits, precision.bits); });
     });
   kernels::PointSet out;
   out.columns = points.columns;
   out.dim = points.dim;
-  out.values = kernels::refine(points.values, points.dim, lower(scheme, binding, lowering), levels, options.boundary);
-  for (const double x : out.values)
-    if (!std::isfinite(x)) bad_input("a refined number does not fit a double", kernels::shortest(x));
+  out.values = kernels::refine(points.values, points.dim, lower(scheme, binding, lowering_options(options, 0)), levels,
+                               options.boundary);
+  check_finite(out.values);
+  return out;
+}
+
+bool has_edge_tension(const kernels::PointSet& points) { return column_of_tension(points) < points.columns.size(); }
+
+kernels::PointSet without_edge_tension(const kernels::PointSet& points) {
+  kernels::PointSet r = points;
+  const size_t column = column_of_tension(points);
+  if (column == points.columns.size()) return r;
+  r.columns.erase(r.columns.begin() + static_cast<std::ptrdiff_t>(column));
+  r.dim = points.dim - 1;
+  r.values.clear();
+  r.tokens.clear();
+  for (size_t i = 0; i < points.values.size(); ++i) {
+    if (i % points.dim == column) continue;
+    r.values.push_back(points.values[i]);
+    if (!points.tokens.empty()) r.tokens.push_back(points.tokens[i]);
+  }
+  return r;
+}
+
+kernels::PointSet refine_edges(const Scheme& scheme, const kernels::PointSet& points, const RefineOptions& options) {
+  const std::vector<LevelVariable> variables = level_variables(scheme);
+  if (variables.size() != 1 || scheme.parameters.size() != 1 || variables[0].value())
+    bad_input("a column v0 needs a scheme with one free frequency and no other parameter", scheme.id);
+  if (!is_interpolatory(scheme)) bad_input("a column v0 needs an interpolating scheme", scheme.id);
+  const EdgeTensions e = edge_tensions(points);
+  check_request(scheme, e.points, options);
+  std::vector<Binding> bindings;
+  for (size_t i = 0; i < e.values.size(); ++i) {
+    Binding b;
+    b.levels.emplace(variables[0].name, LevelValue::from_v0(ExactReal(e.values[i]), e.texts[i], scheme.arity));
+    b.description.emplace_back(tension_column, e.texts[i]);
+    bindings.push_back(std::move(b));
+  }
+  const int levels = static_cast<int>(options.levels);
+  const auto tables = [&](long digits) {
+    std::vector<kernels::MaskTable> list;
+    for (const Binding& b : bindings) list.push_back(lower(scheme, b, lowering_options(options, digits)));
+    return list;
+  };
+  kernels::PointSet fine;
+  if (options.digits != 0) {
+    fine = with_digits({{&e.points}}, options.digits, [&](const auto& in, Precision precision) {
+      return kernels::EdgeRefiner<Real>(
+                 tables(precision.digits),
+                 [&](const std::string& text, double) { return coefficient(text, precision.digits, precision.bits); })
+          .refine(in[0], e.points.dim, e.edges, levels, options.boundary);
+    });
+  } else {
+    fine.values = kernels::EdgeRefiner<double>(tables(0)).refine(e.points.values, e.points.dim, e.edges, levels,
+                                                                 options.boundary);
+    check_finite(fine.values);
+  }
+
+  // The column v0 again: the edge from fine point i on comes from the edge floor(i/m^K).
+  std::vector<std::pair<std::string, double>> refined;
+  for (size_t i = 0; i < bindings.size(); ++i)
+    refined.push_back(refined_tension(bindings[i].levels.begin()->second, e.texts[i], options.levels, options.digits));
+  size_t children = 1;
+  for (int k = 0; k < levels; ++k) children *= static_cast<size_t>(scheme.arity);
+  const size_t beyond =
+      options.boundary == kernels::Boundary::given
+          ? static_cast<size_t>(
+                kernels::points_beyond_ends(scheme.arity, symbol(scheme).lowest(), symbol(scheme).highest(), {}).left)
+          : 0;
+  kernels::PointSet out;
+  out.columns = points.columns;
+  out.dim = points.dim;
+  const size_t count = fine.values.size() / e.points.dim;
+  for (size_t i = 0; i < count; ++i) {
+    const auto& [text, value] = refined[e.edges[i / children + beyond]];
+    for (size_t c = 0, from = i * e.points.dim; c < out.dim; ++c) {
+      const bool tension = c == column_of_tension(points);
+      out.values.push_back(tension ? value : fine.values[from]);
+      if (!fine.tokens.empty()) out.tokens.push_back(tension ? text : fine.tokens[from]);
+      if (!tension) ++from;
+    }
+  }
   return out;
 }
 

@@ -46,6 +46,7 @@ class JsonWriter final : public TableWriter {
     out["parameters"] = object(table.parameters);
     out["level_variables"] = object(table.level_variables);
     if (!table.recurrence.empty()) out["recurrence"] = table.recurrence;
+    if (!table.printed.empty()) out["printed"] = table.printed;
     if (!table.normalisation.empty()) out["normalisation"] = table.normalisation;
     Json precision = Json::object();
     precision["digits"] = doubles ? 17 : table.digits;

@@ -93,6 +93,7 @@ std::vector<std::string> header_lines(const MaskTable& table) {
   lines.push_back("p = " + table.shift + ": f^k_j belongs to the parameter (j + p)/" + m + "^k");
   lines.push_back("Index origin: a row begins with a_{lowest}; support [" + lowest + ", " +
                   std::to_string(grid.highest) + "]");
+  if (!table.printed.empty()) lines.push_back("Printed: " + table.printed);
   if (!table.normalisation.empty()) lines.push_back("Normalisation: " + table.normalisation);
   std::string precision = table.digits > 0 ? std::to_string(table.digits) + " significant digits"
                                            : std::string("correctly rounded doubles");

@@ -46,8 +46,10 @@ struct MaskTable {
   int tail_from = 0;            ///< K
   std::string tail_bound;       ///< proved: max over k >= K and i of |a^{[k]}_i - a_i|; "0" when stationary
 
-  std::string recurrence;     ///< how the next level follows, e.g. "v^{k+1} = sqrt((1+v^k)/2)"; empty if none
-  std::string normalisation;  ///< e.g. "coefficients sum to 2; every coset sums to 1 (constants are reproduced)"
+  std::string recurrence;  ///< how the next level follows, e.g. "v^{k+1} = sqrt((1+v^k)/2)"; empty if none
+  std::string printed;  ///< what the numbers are, when not a^{[k]}_i itself: "a^{[k]}_i/2"; not fit for refinement then
+  std::string normalisation;  ///< of the numbers, e.g. "coefficients sum to 2; every coset sums to 1 (constants are
+                              ///< reproduced)"
 };
 
 /// Throws Error (bad_input) unless `table` can be used: arity >= 2, a readable shift, every row (and the limit) not

@@ -216,6 +216,38 @@ void apply(const Mask<T>& mask, const T* in, long in_first, long out_first, std:
   }
 }
 
+// Fills what is stored around a window. Boundary::space extends the left end with the weights `left`, the right end
+// with `right`, mirrored.
+template <class T>
+void fill_boundary(T* stored, const Window& w, std::size_t dim, Boundary boundary, const std::vector<T>& left,
+                   const std::vector<T>& right, const T& two, const T& minus_one) {
+  const auto at = [&](long j) { return stored + static_cast<std::size_t>(j - w.stored_first) * dim; };
+  const auto copy = [&](long to, long from) { std::copy_n(at(from), dim, at(to)); };
+  const long n = w.last - w.first + 1;
+  if (boundary == Boundary::closed) {
+    for (long j = w.first - 1; j >= w.stored_first; --j) copy(j, j - n * floor_div(j, n));
+    for (long j = w.last + 1; j <= w.stored_last; ++j) copy(j, j - n * floor_div(j, n));
+  } else if (boundary == Boundary::linear) {
+    const auto reflect = [&](long to, long about, long from) {
+      for (std::size_t c = 0; c < dim; ++c) at(to)[c] = two * at(about)[c] + minus_one * at(from)[c];
+    };
+    for (long h = 1; w.first - h >= w.stored_first; ++h) reflect(w.first - h, w.first, w.first + h);
+    for (long h = 1; w.last + h <= w.stored_last; ++h) reflect(w.last + h, w.last, w.last - h);
+  } else if (boundary == Boundary::space) {
+    const auto extend = [&](long to, long inward, const std::vector<T>& weights) {
+      for (std::size_t c = 0; c < dim; ++c) {
+        T sum = weights[0] * at(to + inward)[c];
+        for (std::size_t s = 1; s < weights.size(); ++s) {
+          sum = sum + weights[s] * at(to + inward * static_cast<long>(s + 1))[c];
+        }
+        at(to)[c] = sum;
+      }
+    };
+    for (long j = w.first - 1; j >= w.stored_first; --j) extend(j, 1, left);
+    for (long j = w.last + 1; j <= w.stored_last; ++j) extend(j, -1, right);
+  }
+}
+
 }  // namespace detail
 
 /// One step of a closed polygon of n >= 1 points: out has m*n rows, row 0 is index 0. `in` and `out` do not overlap.
@@ -349,36 +381,6 @@ class Refiner {
     return detail::plan_windows(arity_, std::move(shapes), ends_, shift_, n, boundary);
   }
 
-  // Fills what is stored around the window of level k.
-  void fill(T* stored, const detail::Window& w, std::size_t k, std::size_t dim, Boundary boundary) const {
-    const auto at = [&](long j) { return stored + static_cast<std::size_t>(j - w.stored_first) * dim; };
-    const auto copy = [&](long to, long from) { std::copy_n(at(from), dim, at(to)); };
-    const long n = w.last - w.first + 1;
-    if (boundary == Boundary::closed) {
-      for (long j = w.first - 1; j >= w.stored_first; --j) copy(j, j - n * floor_div(j, n));
-      for (long j = w.last + 1; j <= w.stored_last; ++j) copy(j, j - n * floor_div(j, n));
-    } else if (boundary == Boundary::linear) {
-      const auto reflect = [&](long to, long about, long from) {
-        for (std::size_t c = 0; c < dim; ++c) at(to)[c] = two_ * at(about)[c] + minus_one_ * at(from)[c];
-      };
-      for (long h = 1; w.first - h >= w.stored_first; ++h) reflect(w.first - h, w.first, w.first + h);
-      for (long h = 1; w.last + h <= w.stored_last; ++h) reflect(w.last + h, w.last, w.last - h);
-    } else if (boundary == Boundary::space) {
-      const std::vector<T>& weights = rule(k).extension;
-      const auto extend = [&](long to, long inward) {
-        for (std::size_t c = 0; c < dim; ++c) {
-          T sum = weights[0] * at(to + inward)[c];
-          for (std::size_t s = 1; s < weights.size(); ++s) {
-            sum = sum + weights[s] * at(to + inward * static_cast<long>(s + 1))[c];
-          }
-          at(to)[c] = sum;
-        }
-      };
-      for (long j = w.first - 1; j >= w.stored_first; --j) extend(j, 1);
-      for (long j = w.last + 1; j <= w.stored_last; ++j) extend(j, -1);
-    }
-  }
-
   void run(std::span<const T> points, std::size_t dim, detail::Plan& plan, Boundary boundary, std::span<T> out) {
     const std::size_t levels = plan.shapes.size();
     if (levels == 0) {
@@ -455,6 +457,10 @@ class Refiner {
       }
       if (streamed) detail::stream(in, w[levels].computed() * dim * sizeof(T), target);
     }
+  }
+
+  void fill(T* stored, const detail::Window& w, std::size_t k, std::size_t dim, Boundary boundary) const {
+    detail::fill_boundary(stored, w, dim, boundary, rule(k).extension, rule(k).extension, two_, minus_one_);
   }
 
   static std::size_t offset(const detail::Window& w, std::size_t dim) {

@@ -50,9 +50,11 @@ class LevelValue {
   std::optional<Polynomial> minimal_polynomial() const;
   bool transcendental() const;
 
- private:
+  // t > 0 with v^{[0]} = cosh t, or s in (0, pi) with v^{[0]} = cos s (trigonometric()); 0 if v^{[0]} = 1.
   Ball angle(long bits) const;
+  bool trigonometric() const { return side_ < 0; }
 
+ private:
   ExactReal v0_;
   std::optional<ExactReal> angle_;  // t or s
   bool circular_ = false;
@@ -88,5 +90,9 @@ struct LowerOptions {
 // exactly), or the limit mask has a pole; Error(undecided) if a digit or a zero could not be decided.
 // Cost: a few microseconds a level at 50 digits (l = 3), most of it the printing.
 kernels::MaskTable lower(const Scheme& scheme, const Binding& binding, const LowerOptions& options);
+
+// The same for another Laurent polynomial (not 0) in the parameters of the scheme: a filter, a lifting step.
+kernels::MaskTable lower(const Scheme& scheme, const Laurent& values, const Binding& binding,
+                         const LowerOptions& options);
 
 }  // namespace twoscale::lowering

@@ -24,4 +24,15 @@ struct RefineOptions {
 kernels::PointSet refine_points(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
                                 const RefineOptions& options);
 
+// Each edge its own tension (beccari2007, section 6): the column `v0` of `points` is the v^0 of the edge that starts at
+// the point, and the new points of an edge follow the mask of its own v^{k+1}. Out come the same columns; v0 is then
+// that of the refined edge as level-0 data, v^{[K]} of the edge it comes from, so that refining the result goes on
+// where this stopped (up to the rounding of v0). One table is lowered for each distinct value. See
+// docs/per-edge-tension.md. Throws as refine_points; also if the scheme is not interpolating with one level variable of
+// free frequency, for a column v0 that is missing, and for a value that is not > -1.
+kernels::PointSet refine_edges(const Scheme& scheme, const kernels::PointSet& points, const RefineOptions& options);
+// Do the points bring a v^0 for each edge? The points without that column.
+bool has_edge_tension(const kernels::PointSet& points);
+kernels::PointSet without_edge_tension(const kernels::PointSet& points);
+
 }  // namespace twoscale::lowering
