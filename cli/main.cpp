@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   cli::add_fit_command(app, session);
   cli::add_plot_command(app, session);
   cli::add_report_command(app, session);
+  cli::add_audit_command(app, session);
   cli::add_regularity_command(app, session);
   cli::add_new_command(app, session);
   cli::add_two_scale_command(app, session);

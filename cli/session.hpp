@@ -63,6 +63,7 @@ void add_surface_command(CLI::App& app, Session& session);
 void add_fit_command(CLI::App& app, Session& session);
 void add_plot_command(CLI::App& app, Session& session);
 void add_report_command(CLI::App& app, Session& session);
+void add_audit_command(CLI::App& app, Session& session);
 void add_regularity_command(CLI::App& app, Session& session);
 void add_two_scale_command(CLI::App& app, Session& session);
 void add_lifting_command(CLI::App& app, Session& session);

@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Scheme files of the catalogue: read into the library, so that it needs no files at run time, and installed.
+# Data files of the rooms: read into the library, so that it needs no files at run time.
 
-# twoscale_embed_schemes(TARGET DIRECTORY): DIRECTORY/*.toml become embedded_scheme_files() of TARGET.
-function(twoscale_embed_schemes target directory)
+# twoscale_embed_texts(TARGET DIRECTORY HEADER NAMESPACE FUNCTION): DIRECTORY/*.toml become pairs of name and text,
+#   const std::vector<std::pair<std::string, std::string>>& NAMESPACE::FUNCTION(), declared in HEADER.
+function(twoscale_embed_texts target directory header namespace function)
   file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${directory}/*.toml")
-  set(generated "${PROJECT_BINARY_DIR}/embedded_schemes.cpp")
+  set(script "${PROJECT_SOURCE_DIR}/cmake/embed_texts.cmake")
+  set(generated "${PROJECT_BINARY_DIR}/${function}.cpp")
   add_custom_command(OUTPUT "${generated}"
-    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${generated}" "-DFILES=${files}"
-      -P "${PROJECT_SOURCE_DIR}/cmake/embed_schemes.cmake"
-    DEPENDS ${files} "${PROJECT_SOURCE_DIR}/cmake/embed_schemes.cmake" VERBATIM)
+    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${generated}" "-DHEADER=${header}" "-DNAMESPACE=${namespace}"
+      "-DFUNCTION=${function}" "-DFILES=${files}" -P "${script}"
+    DEPENDS ${files} "${script}" VERBATIM)
   target_sources(${target} PRIVATE "${generated}")
+endfunction()
+
+# twoscale_embed_schemes(TARGET DIRECTORY): the scheme files of the catalogue, which are installed too.
+function(twoscale_embed_schemes target directory)
+  twoscale_embed_texts(${target} ${directory} twoscale/symbolic/scheme_file.hpp twoscale embedded_scheme_files)
+  file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${directory}/*.toml")
   install(FILES ${files} DESTINATION "${CMAKE_INSTALL_DATADIR}/twoscale/schemes")
 endfunction()

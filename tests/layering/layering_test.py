@@ -20,7 +20,7 @@ ROOMS = {
     "check": ("analysis/check", (), ("boost/multiprecision/",)),
     "kernels": ("numeric/kernels", (), ("nlohmann/", "hwy/", "tbb/", "oneapi/tbb/")),
     "lowering": ("numeric/lowering", ("symbolic", "kernels"), ("fmt/", "arb", "acb", "arf.h", "mag.h", "flint/", "fmpz", "fmpq")),
-    "reports": ("reports", ("analysis", "symbolic", "lowering", "kernels"), ("nlohmann/", "fmt/")),
+    "reports": ("reports", ("analysis", "symbolic", "lowering", "kernels"), ("nlohmann/", "fmt/", "toml++/")),
 }
 # Above the rooms; they may see all of them.
 PROGRAMS = {
