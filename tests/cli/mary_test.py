@@ -21,7 +21,7 @@ class Mary(ProgramTest):
         return os.path.join(self.directory.name, name)
 
     def points(self, rows):
-        path = self.path("points.csv")
+        path = self.path(f"points{len(os.listdir(self.directory.name))}.csv")
         with open(path, "w", encoding="utf-8") as file:
             file.writelines(",".join(map(repr, row)) + "\n" for row in rows)
         return path
