@@ -14,6 +14,7 @@
 
 #include "session.hpp"
 #include "tensor.hpp"
+#include "twoscale/kernels/error.hpp"
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/lowering/parametric_surface.hpp"
 #include "twoscale/reports/surface_plot.hpp"
@@ -114,6 +115,8 @@ class Reader {
     } catch (const Error& e) {
       if (e.kind == Error::Kind::bad_input) fail(node.source(), e.what());
       throw;
+    } catch (const kernels::Error& e) {
+      fail(node.source(), e.what());
     }
   }
 
