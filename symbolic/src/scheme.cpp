@@ -43,8 +43,10 @@ Scheme Scheme::from_symbol(std::string id, const Laurent& symbol, int arity, std
 }
 
 Laurent symbol(const Scheme& scheme) {
-  if (scheme.block != 1) bad_input("a scheme with blocks has no scalar symbol: not decided or computed here", scheme.id);
-  if (!is_uniform(scheme)) bad_input("a scheme with local parameters has no symbol: not decided or computed here", scheme.id);
+  if (scheme.block != 1)
+    bad_input("a scheme with blocks has no scalar symbol: not decided or computed here", scheme.id);
+  if (!is_uniform(scheme))
+    bad_input("a scheme with local parameters has no symbol: not decided or computed here", scheme.id);
   Laurent a;
   for (long r = 0; r < scheme.arity; ++r) {
     const Stencil& s = scheme.phases[static_cast<size_t>(r)];
@@ -103,6 +105,8 @@ std::optional<Laurent> limit_symbol(const Scheme& scheme) {
 
 Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string, RationalFunction>>& values) {
   Scheme s = scheme;
+  // What is maximal generically need not be so at a chosen value.
+  if (!values.empty()) std::erase_if(s.claims, [](const Claim& c) { return c.name == "maximal"; });
   for (const auto& [name, value] : values) {
     const auto found =
         std::find_if(s.parameters.begin(), s.parameters.end(), [&](const auto& p) { return p.name == name; });

@@ -320,7 +320,7 @@ TEST(WellDefined, Refusals) {
   expect_malformed(harmonic6().with(well_defined(angles({{0, "1"}}))), "between 0 and 1");
   expect_malformed(harmonic6().with(well_defined(angles({{0, "0"}}))), "between 0 and 1");
   expect_malformed(harmonic6().with(well_defined(angles({{-1, "1/2"}}))), "level");
-  expect_malformed(harmonic6().with(well_defined(conditions({"v"}))), "level");
+  expect_invalid(harmonic6().with(well_defined(conditions({"v"}))), "cannot vanish");  // v = 0 is the end of the domain
   expect_malformed(harmonic6().with(well_defined(array({}), "positive-coefficients")), "\"sturm\" is expected");
   expect_invalid(two_frequencies_conditions().with(well_defined(array({}), "positive-coefficients")), "of one sign");
   expect_invalid(two_frequencies_conditions().with(well_defined(conditions({"2*v_t^2-1"}), "positive-coefficients")),

@@ -126,7 +126,7 @@ class Report : public testing::Test {
     root() = std::filesystem::temp_directory_path() / ("twoscale report test " + std::to_string(getpid()));
     Options options;
     options.checker = [](std::string_view certificate) {
-      return CheckerVerdict{certificate.find("fnv1a64") != std::string_view::npos, {"<looked at>"}};
+      return reports::CheckerVerdict{certificate.find("fnv1a64") != std::string_view::npos, {"<looked at>"}};
     };
     summary() = write_report((root() / "a" / "b").string(), options);
     page() = bytes(root() / "a" / "b" / "index.html");
@@ -198,7 +198,7 @@ TEST_F(Report, SaysWhatWasMeasured) {
 TEST_F(Report, IsDeterministic) {
   Options options;
   options.checker = [](std::string_view certificate) {
-    return CheckerVerdict{certificate.find("fnv1a64") != std::string_view::npos, {"<looked at>"}};
+    return reports::CheckerVerdict{certificate.find("fnv1a64") != std::string_view::npos, {"<looked at>"}};
   };
   write_report((root() / "again").string(), options);
   EXPECT_EQ(bytes(root() / "again" / "index.html"), page());

@@ -86,7 +86,7 @@ std::vector<std::string> free_parameters(const Scheme& scheme);
 std::optional<Laurent> limit_symbol(const Scheme& scheme);
 // The scheme with some of its parameters replaced by values; they are no parameters any more, and the id says so.
 // Throws Error(bad_input) for a name that is no parameter of the scheme and for a value at which a coefficient has a
-// pole, or which lies outside the parameter's domain.
+// pole, or which lies outside the parameter's domain. A claim `maximal`, which is about almost all values, is dropped.
 Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string, RationalFunction>>& values);
 // The scheme with its constant parameters that have a rational default value replaced by it.
 Scheme with_default_values(const Scheme& scheme);
