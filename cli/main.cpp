@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   cli::add_new_command(app, session);
   cli::add_two_scale_command(app, session);
   cli::add_lifting_command(app, session);
+  cli::add_stencil_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {

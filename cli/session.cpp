@@ -47,7 +47,8 @@ void add_values(CLI::App* command, Values& values) {
       ->type_name("E");
   command->add_option("--at", values.at, "values of named parameters, NAME=VALUE,...")
       ->type_name("NAME=VALUE")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
 }
 
 void deliver(const Common& common, std::string text) {

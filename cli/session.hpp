@@ -67,5 +67,6 @@ void add_audit_command(CLI::App& app, Session& session);
 void add_regularity_command(CLI::App& app, Session& session);
 void add_two_scale_command(CLI::App& app, Session& session);
 void add_lifting_command(CLI::App& app, Session& session);
+void add_stencil_command(CLI::App& app, Session& session);
 
 }  // namespace twoscale::cli

@@ -237,6 +237,9 @@ TEST(Catalog, UnusableValuesAreNamed) {
   names("mask:coefficients=\"1-w,1,w\"", "centre");
   names("mask:coefficients=\"1/0,1\"", "1/0");
   names("tension4:l=2", "l");
+  names("hermite-circle:w=0", "0");
+  names("hermite-circle:w=x", "x");
+  names("hermite-circle:variant=nice", "nice");
   names("", "empty");
 }
 

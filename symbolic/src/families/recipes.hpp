@@ -28,6 +28,7 @@ void add_bsplines(std::vector<CatalogEntry>& list);
 void add_interpolating(std::vector<CatalogEntry>& list);
 void add_quasi_splines(std::vector<CatalogEntry>& list);
 void add_mask(std::vector<CatalogEntry>& list);
+void add_hermite(std::vector<CatalogEntry>& list);
 void add_files(std::vector<CatalogEntry>& list);
 
 // The scheme of a file with the values of constant parameters that `name` has as keys; its id is the file's name with
