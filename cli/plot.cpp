@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "hermite.hpp"
 #include "regularity.hpp"
 #include "session.hpp"
 #include "spectrum.hpp"
@@ -51,11 +52,12 @@ struct Options {
 struct Data {
   PointSet points;                    // coordinates
   std::optional<PointSet> tensioned;  // the same with the column v0, if there is one
+  PointSet vertices;                  // with their derivatives, if the scheme carries such
   Boundary boundary = Boundary::closed;
   bool closed() const { return boundary == Boundary::closed; }
 };
 
-Data read_data(const Options& o) {
+Data read_data(const Scheme& s, const Options& o) {
   if (o.input.empty()) bad_input("plot " + o.kind + ": a file of points is missing", o.kind + " " + o.scheme);
   Data d;
   d.points = kernels::read_points(o.input);
@@ -65,6 +67,11 @@ Data read_data(const Options& o) {
   }
   if (!o.open.empty()) d.boundary = kernels::parse_boundary(o.open);
   if (!o.open.empty() && d.closed()) bad_input("--open takes given, linear or space", o.open);
+  if (s.block > 1) {
+    d.vertices = d.points;
+    d.points = lowering::points_alone(d.vertices);
+    if (!d.closed()) d.boundary = Boundary::linear;  // no points beyond the ends
+  }
   return d;
 }
 
@@ -87,8 +94,17 @@ Refined refine(const Scheme& s, const lowering::Binding& binding, const Data& d,
   return reports::refine_points(s, binding, d.points.values, d.points.dim, o.levels, d.boundary);
 }
 
+// Schemes whose vertices carry derivatives.
+Refined refine_hermite(const Scheme& s, const std::optional<ExactReal>& w, const Data& d, const Options& o) {
+  check_size(s, d, o);
+  const lowering::HermiteOptions options{static_cast<unsigned>(o.levels), d.closed(), 0, false};
+  const PointSet fine = lowering::points_alone(lowering::refine_hermite(s, w, d.vertices, options).points);
+  return {fine.values, fine.dim, 0, std::ldexp(1.0, -o.levels)};
+}
+
 // With the values of the command line, or those of the edges.
 Refined refine(const Scheme& s, const Data& d, const Options& o) {
+  if (s.block > 1) return refine_hermite(s, tension(o.at), d, o);
   if (!d.tensioned) return refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
   if (o.at.v0 || o.at.t || !o.at.at.empty())
     bad_input("the points have a column v0 of their own, beside --v0, --t or --at", o.input);
@@ -139,7 +155,7 @@ Picture basic(const Scheme& s, const Options& o) {
 }
 
 Picture curve(const Scheme& s, const Options& o) {
-  const Data d = read_data(o);
+  const Data d = read_data(s, o);
   coordinates(d.points, false, o);
   const Refined r = refine(s, d, o);
   Picture p;
@@ -149,28 +165,30 @@ Picture curve(const Scheme& s, const Options& o) {
 }
 
 Picture sweep(const Scheme& s, const Options& o) {
-  if (o.values.empty()) bad_input("plot sweep: give the values of v0 by --values", s.id);
+  if (o.values.empty()) bad_input("plot sweep: give the values of v0 (Hermite: w) by --values", s.id);
   if (o.at.v0 || o.at.t)
     bad_input("plot sweep: values of v0 come from --values, not from --v0 or --t", o.at.v0 ? *o.at.v0 : *o.at.t);
   std::string list = trimmed(o.values);
   if (list.size() >= 2 && list.front() == '[' && list.back() == ']') list = list.substr(1, list.size() - 2);
   const auto values = split_list(list);
   if (values.empty() || values.size() > 24) bad_input("--values: from 1 to 24 values", o.values);
-  const Data d = read_data(o);
+  const Data d = read_data(s, o);
   coordinates(d.points, false, o);
   if (d.tensioned) bad_input("plot sweep: the points have a column v0 of their own, beside --values", o.input);
   Picture p;
   p.title = s.id;
   p.lines.push_back(polygon(s, d));
   int colour = 0;
-  for (const auto& v0 : values)
-    p.lines.push_back(
-        curve_line(refine(s, lowering::bind(s, v0, std::nullopt, o.at.named()), d, o), d, "v⁰ = " + v0, colour++));
+  for (const auto& v : values) {
+    const Refined r = s.block > 1 ? refine_hermite(s, parse_real(v), d, o)
+                                  : refine(s, lowering::bind(s, v, std::nullopt, o.at.named()), d, o);
+    p.lines.push_back(curve_line(r, d, (s.block > 1 ? "w = " : "v⁰ = ") + v, colour++));
+  }
   return p;
 }
 
 Picture comb(const Scheme& s, const Options& o) {
-  const Data d = read_data(o);
+  const Data d = read_data(s, o);
   coordinates(d.points, true, o);
   const Refined r = refine(s, d, o);
   const std::vector<double> k = reports::curvature(r.values, d.closed());
@@ -210,7 +228,7 @@ Picture comb(const Scheme& s, const Options& o) {
 }
 
 Picture curvature_graph(const Scheme& s, const Options& o) {
-  const Data d = read_data(o);
+  const Data d = read_data(s, o);
   coordinates(d.points, true, o);
   const Refined r = refine(s, d, o);
   const std::vector<double> k = reports::curvature(r.values, d.closed());
@@ -369,7 +387,7 @@ void add_plot_command(CLI::App& app, Session& session) {
                 "points (csv, npy, obj), - for csv from standard input; not for basic, spectrum, regularity")
       ->type_name("IN");
   add_values(c, o->at);
-  c->add_option("--values", o->values, "sweep: values of v0, \"v1,v2,...\"")->type_name("LIST");
+  c->add_option("--values", o->values, "sweep: values of v0 (Hermite: w), \"v1,v2,...\"")->type_name("LIST");
   c->add_option("--over", o->over, "regularity: the constant and its range")->type_name("NAME=[A,B]");
   c->add_option("--levels", o->levels, "refinement steps, 6 by default, 4 for surfaces")
       ->check(CLI::Range(0, most_levels))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // twoscale refine SCHEME [--v0 E] --levels K [--closed|--open=given|linear|space] [--digits D] IN -o OUT: refines
 // points, and grids by tensor products (--tensor SCHEME2 ...).
+#include "hermite.hpp"
 #include "session.hpp"
 #include "tensor.hpp"
 #include "twoscale/kernels/grid_io.hpp"
@@ -22,6 +23,7 @@ struct Options {
   bool closed = false;
   std::string open;
   TensorOptions tensor;
+  bool jets = false;
 };
 
 int run(const Options& o, const Common& common) {
@@ -30,6 +32,9 @@ int run(const Options& o, const Common& common) {
   const kernels::PointFormat format = kernels::point_format(target);
   if (!o.open.empty()) open_rule("--open", o.open);
   const Scheme s = make_scheme(o.scheme);
+  if (s.block > 1)
+    return refine_hermite_file(s, o.values, o.input, {o.levels, o.open.empty(), o.digits, o.jets}, format, common);
+  if (o.jets) bad_input("--jets is for schemes of vertices with derivatives", s.id);
   const bool values = o.values.v0 || o.values.t || !o.values.at.empty();
   if (values) lowering::bind(s, o.values.v0, o.values.t, o.values.named());
   const kernels::PointFile in = kernels::read_point_file(o.input);
@@ -85,6 +90,7 @@ void add_refine_command(CLI::App& app, Session& session) {
       ->check(CLI::Range(17, 10000))
       ->type_name("D");
   add_tensor(c, o->tensor);
+  c->add_flag("--jets", o->jets, "Hermite schemes: print p, r and sigma of every vertex, and the first pole w*");
   c->callback([&session, o] { session.action = [&session, o] { return run(*o, session.common); }; });
 }
 

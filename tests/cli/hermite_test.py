@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Hermite scheme from outside: `stencil`, `refine hermite-circle`, its pictures, and what is refused."""
+
+import math
+import os
+import tempfile
+import unittest
+
+import mpmath
+
+from support import ProgramTest, run
+
+
+class Files(ProgramTest):
+    def setUp(self):
+        self.directory = tempfile.TemporaryDirectory()
+        self.addCleanup(self.directory.cleanup)
+
+    def path(self, name, text=None):
+        path = os.path.join(self.directory.name, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        return path
+
+    def refined(self, scheme, text, *options):
+        out = self.twoscale("refine", scheme, "--quiet", *options, self.path("in.csv", text)).splitlines()
+        return out[0], [tuple(line.split(",")) for line in out[1:]]
+
+
+class Stencil(ProgramTest):
+    def test_matrix(self):
+        document = self.twoscale_json("stencil", "hermite-circle", "--at", "s=[-1/5,1/7],w=1/2")
+        self.assertEqual((document["format"], document["scheme"], document["lowest"]),
+                         ("twoscale/stencil", "hermite-circle", 0))
+        matrix = document["matrix"]
+        self.assertEqual([len(row) for row in matrix], [6, 6, 6])
+        # u = w/7 - (1-w)/5 = -1/35: the printed formula lambda_25 = phi_9(v, u) with the arguments swapped.
+        from fractions import Fraction as F
+        v, u = F(-1, 5), F(-1, 35)
+        phi9 = lambda u, v: (1 - u * v)**3 * (v**2 + 1)**3 / (4 * (u * v + 1)**3 * (v - 1)**3 * (v + 1)**3)
+        self.assertEqual((F(matrix[2][4]), F(matrix[2][5])), (phi9(u, v), phi9(v, u)))
+        self.assertEqual(F(matrix[0][0]) + F(matrix[0][1]), 1)
+        self.assertEqual(F(matrix[1][0]) + F(matrix[1][1]), 0)
+
+    def test_tension_by_key_and_by_value(self):
+        by_key = self.twoscale_json("stencil", "hermite-circle:w=1/2", "--at", "s=[-1/5,1/7]")
+        by_value = self.twoscale_json("stencil", "hermite-circle", "--at", "s=[-1/5,1/7],w=1/2")
+        self.assertEqual(by_key["matrix"], by_value["matrix"])
+        plain = self.twoscale_json("stencil", "hermite-circle", "--at", "s=[-1/5,1/7]")
+        c2 = self.twoscale_json("stencil", "hermite-circle:variant=c2", "--at", "s=[-1/5,1/7],w=1")
+        self.assertEqual(plain["at"], {"s": ["-1/5", "1/7"], "w": "1"})
+        self.assertEqual(plain["matrix"], c2["matrix"])
+
+    def test_other_schemes(self):
+        self.assertEqual(self.twoscale_json("stencil", "dd:l=2")["coefficients"], ["-1/16", "9/16", "9/16", "-1/16"])
+
+    def test_refusals(self):
+        self.refused("stencil", "hermite-circle", naming="s")
+        self.refused("stencil", "hermite-circle", "--at", "s=[1/5]", naming="s")
+        self.refused("stencil", "hermite-circle", "--at", "s=[1/5,x]", naming="x")
+        self.refused("stencil", "hermite-circle", "--at", "s=[1/5,1/5]", naming="pole")
+        self.refused("stencil", "hermite-circle", "--at", "s=[1/5,1]", naming="pole")
+        self.refused("stencil", "hermite-circle", "--at", "s=[1/5,1/3],w=0", naming="w")
+        self.refused("stencil", "hermite-circle", "--at", "s=[1/5,1/3],d=1", naming="d")
+        self.refused("stencil", "hermite-circle:w=0", "--at", "s=[1/5,1/3]", naming="0")
+
+
+    def test_show(self):
+        document = self.twoscale_json("show", "hermite-circle:variant=c2,w=1/2")
+        self.assertEqual(document["block"], 3)
+        self.assertEqual([(p["name"], p["scope"]) for p in document["parameters"]], [("s", "local"), ("w", "constant")])
+        self.assertEqual(document["phases"][0]["blocks"], [[["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]])
+        self.assertEqual(len(document["phases"][1]["blocks"]), 2)
+        self.assertIn("rule       f''_{2j+1} =", self.twoscale("show", "hermite-circle"))
+
+    def test_spectrum_of_small_steps(self):
+        document = self.twoscale_json("spectrum", "hermite-circle")
+        self.assertEqual(document["hermite"]["spectral_order"], 5)
+        self.assertTrue(document["hermite"]["consistent"])
+        self.assertTrue(document["hermite"]["reproduces_polynomials"])
+        self.assertEqual([(e["exact"], e["multiplicity"], e["geometric"]) for e in document["eigenvalues"]],
+                         [("1", 1, 1), ("1/2", 1, 1), ("1/4", 1, 1), ("1/8", 2, 2), ("1/16", 2, 2), ("1/32", 2, 2)])
+        at = self.twoscale_json("spectrum", "hermite-circle", "--at", "w=1/2")["hermite"]["scales"]
+        self.assertNotIn("w", "".join(at))
+        self.assertIn("spectral condition  of order 5", self.twoscale("spectrum", "hermite-circle"))
+        self.refused("spectrum", "hermite-circle", "--at", "q=1", naming="q")
+
+
+class Refine(Files):
+    def test_circles(self):
+        angles = [0.3, 0.35, 2.0, 3.9, 5.1]
+        text = "".join(f"{2 + 3 * math.cos(a)!r},{-1 + 3 * math.sin(a)!r}\n" for a in angles)
+        header, rows = self.refined("hermite-circle", text, "--levels", "10")
+        self.assertEqual((header, len(rows)), ("x,y", 5 << 10))
+        for x, y in rows:
+            self.assertLess(abs(math.hypot(float(x) - 2, float(y) + 1) - 3), 1e-12)
+
+    def test_circles_to_the_last_digit(self):
+        with mpmath.workdps(90):
+            angles = [mpmath.mpf(a) for a in ("-0.2", "-0.9", "-3.3", "-5")]  # clockwise
+            number = lambda x: mpmath.nstr(x, 85)
+            text = "x,y,z\n" + "".join(f"{number(mpmath.cos(a))},1.5,{number(mpmath.sin(a))}\n" for a in angles)
+            _, rows = self.refined("hermite-circle", text, "--levels", "4", "--digits", "60", "--open", "given")
+            self.assertEqual(len(rows), 49)
+            for x, y, z in rows:
+                self.assertEqual(mpmath.mpf(y), mpmath.mpf("1.5"))
+                self.assertLess(abs(mpmath.hypot(mpmath.mpf(x), mpmath.mpf(z)) - 1), mpmath.mpf("2e-60"))
+
+    def test_columns(self):
+        text = "0,0\n4,-1\n5,2\n2,5\n-1,3\n"
+        header, all_columns = self.refined("hermite-circle:w=3/2", text, "--levels", "2", "--jets")
+        self.assertEqual(header, "fx,fy,px,py,rx,ry,sigma")
+        self.assertEqual([row[:2] for row in all_columns], self.refined("hermite-circle:w=3/2", text, "--levels", "2")[1])
+        # What came out goes in again.
+        again = header + "\n" + "".join(",".join(row) + "\n" for row in all_columns[::4])
+        for x, y in zip(self.refined("hermite-circle", again, "--levels", "2", "--at", "w=1.5")[1], all_columns):
+            for a, b in zip(x, y):
+                self.assertAlmostEqual(float(a), float(b), delta=1e-10 * (1 + abs(float(b))))
+        # A repeated end vertex is left out.
+        self.assertEqual(self.refined("hermite-circle", text + "0,0\n", "--levels", "2"),
+                         self.refined("hermite-circle", text, "--levels", "2"))
+
+    def test_columns_without_names(self):
+        text = "1,0,0,8,-64,0\n0,1,-8,0,0,0\n-1,-1,1,-8,9,9\n"
+        header, rows = self.refined("hermite-circle", text, "--levels", "1")
+        self.assertEqual((header, len(rows)), ("fx,fy,px,py,rx,ry", 6))
+
+    def test_first_pole(self):
+        path = self.path("in.csv", "0,0\n4,-1\n5,2\n2,5\n-1,3\n")
+        said = run("twoscale", "refine", "hermite-circle:w=1.25", "--levels", "1", path).stderr
+        pole = float(said.split("w* =")[1])
+        self.assertGreater(pole, 1)
+        self.twoscale("refine", f"hermite-circle:w={pole - 1e-9!r}", "--levels", "3", path)
+        self.refused("refine", f"hermite-circle:w={pole + 1e-9!r}", "--levels", "1", path, naming="w*")
+        self.refused("refine", "hermite-circle", "--at", "w=100", "--levels", "1", path, naming="w*")
+        self.assertEqual(run("twoscale", "refine", "hermite-circle:variant=c2,w=100", "--levels", "1", path).stderr, "")
+
+    def test_refusals(self):
+        def refused(text, *options, naming):
+            out = self.path("out.csv")
+            self.refused("refine", "hermite-circle", "--levels", "2", *options, self.path("bad.csv", text), "-o", out,
+                         naming=naming)
+            self.assertFalse(os.path.exists(out))
+        refused("0,0\n1,1\n", naming="3 points")
+        refused("0,0\n1,1\n2,2\n", naming="line")
+        refused("1,1\n1,1\n1,1\n", naming="equal")
+        refused("0,0\n1,0\nnan,1\n", naming="nan")
+        refused("0,0,1,1\n1,0,1,1\n1,1,1,1\n", naming="4")
+        refused("fx,fy,px\n0,0,1\n1,0,1\n1,1,1\n", naming="p")
+        refused("fx,fy,lambda\n0,0,1\n1,0,1\n1,1,1\n", naming="lambda")
+        refused("fx,fy,sigma\n1,0,0\n0,1,2\n-1,0,1\n", naming="sigma")
+        refused("0,0\n1,0\n1,1\n", "--at", "w=0", naming="w")
+        refused("0,0\n1,0\n1,1\n", "--at", "w=-1/2", naming="w")
+        refused("0,0\n1,0\n1,1\n", "--v0", "2", naming="level variable")
+
+    def test_pictures(self):
+        path = self.path("in.csv", "0,0\n4,-1\n5,2\n2,5\n-1,3\n")
+        for kind, options in (("curve", []), ("comb", []), ("curvature", ["--at", "w=3/2"]), ("sweep", ["--values", "1/2,1,3/2"])):
+            image = self.path(kind + ".svg")
+            self.twoscale("plot", kind, "hermite-circle", *options, path, "-o", image)
+            with open(image, encoding="utf-8") as file:
+                self.assertIn("<svg", file.read())
+
+    def test_commands_for_scalar_schemes_refuse(self):
+        for command in (["table", "--levels", "2"], ["regularity"], ["prove"]):
+            self.refused(command[0], "hermite-circle", *command[1:])
+
+
+if __name__ == "__main__":
+    unittest.main()
