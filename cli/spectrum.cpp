@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "twoscale/analysis/hermite.hpp"
 #include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/symbolic/ball.hpp"
 #include "twoscale/symbolic/catalog.hpp"
@@ -77,7 +78,7 @@ const char* verdict_of(const NecessaryConditions& n) {
   return "";
 }
 
-std::string to_json(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
+Json decomposition_json(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
   Json j;
   j["format"] = "twoscale/spectrum";
   j["version"] = 1;
@@ -121,6 +122,11 @@ std::string to_json(const Scheme& scheme, const ChosenMask& chosen, const Spectr
     eigenvalues.push_back(std::move(k));
   }
   j["eigenvalues"] = eigenvalues;
+  return j;
+}
+
+std::string to_json(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
+  Json j = decomposition_json(scheme, chosen, s);
   Json stencils = Json::array();
   for (const auto& l : s.stencils) {
     Json c = Json::array();
@@ -173,7 +179,7 @@ std::string necessary_text(const NecessaryConditions& n) {
          n.obstruction + "\n           (" + hypothesis + ")\n";
 }
 
-std::string to_text(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
+std::string decomposition_text(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
   const auto size = static_cast<long>(s.matrix.entries.rows());
   std::string out = scheme.id + ": local subdivision matrix of the " +
                     (is_stationary(scheme) ? "mask"
@@ -211,6 +217,11 @@ std::string to_text(const Scheme& scheme, const ChosenMask& chosen, const Spectr
     for (const auto& v : f.left) out += "    left  " + vector_text(s, v) + "\n";
     for (const auto& v : f.right) out += "    right " + vector_text(s, v) + "\n";
   }
+  return out;
+}
+
+std::string to_text(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
+  std::string out = decomposition_text(scheme, chosen, s);
   if (!s.stencils.empty()) out += "\nlimit stencils at t = 0\n";
   for (const auto& l : s.stencils) {
     out += l.derivative == 0 ? "  value       " : "  derivative " + std::to_string(l.derivative);
@@ -221,6 +232,48 @@ std::string to_text(const Scheme& scheme, const ChosenMask& chosen, const Spectr
     out += static_cast<long>(l.derivative) > s.necessary.order ? "  (for polynomial data)\n" : "\n";
   }
   return out + "\n" + necessary_text(s.necessary);
+}
+
+// A scheme whose vertices carry derivatives: the mask of small steps, in the scale of its own spectral condition.
+std::string hermite_spectrum(const Scheme& given, const Values& at, bool json) {
+  Scheme scheme = given;
+  ChosenMask chosen;
+  for (const auto& [name, text] : at.named()) {
+    chosen.values.emplace_back(name, rational_value(name, text));
+    const std::string id = scheme.id;
+    scheme = with_values(scheme, {{name, RationalFunction(chosen.values.back().second)}});
+    scheme.id = id;
+  }
+  const analysis::HermiteMask mask = analysis::hermite_mask(scheme);
+  const analysis::SpectralCondition condition = analysis::spectral_condition(mask);
+  const bool scaled = condition.scales.size() == mask.block;
+  const Spectrum s = analysis::spectrum(
+      analysis::local_matrix(scaled ? analysis::rescaled(mask, condition.scales) : mask), mask.arity);
+  const auto polynomial = [](const std::vector<RationalFunction>& p) { return analysis::polynomial_text(p, "x"); };
+  if (json) {
+    Json j = decomposition_json(scheme, chosen, s);
+    Json scales = Json::array();
+    for (const auto& c : condition.scales) scales.push_back(c.to_string());
+    Json polynomials = Json::array();
+    for (const auto& p : condition.polynomials) polynomials.push_back(polynomial(p));
+    j["hermite"] = Json::object({{"derivatives", mask.block - 1},
+                                 {"spectral_order", condition.order},
+                                 {"scales", scales},
+                                 {"polynomials", polynomials},
+                                 {"consistent", condition.consistent},
+                                 {"reproduces_polynomials", condition.reproduces}});
+    return j.dump(1);
+  }
+  std::string out = decomposition_text(scheme, chosen, s);
+  out += "\nspectral condition  of order " + std::to_string(condition.order);
+  if (condition.order == condition.searched) out += " at least";
+  out += condition.reproduces ? ", polynomials of this degree are reproduced\n" : "\n";
+  const std::string parameter = mask.parameter.empty() ? "the parameter" : mask.parameter;
+  for (std::size_t k = 1; k < condition.scales.size(); ++k)
+    out += "  derivative " + std::to_string(k) + " carried = " + condition.scales[k].to_string() +
+           " times the derivative of the limit in " + parameter + "\n";
+  for (const auto& p : condition.polynomials) out += "  eigenpolynomial " + polynomial(p) + "\n";
+  return out + (condition.consistent ? "consistent: derivatives of one parameter\n" : "not consistent\n");
 }
 
 }  // namespace
@@ -277,6 +330,10 @@ void add_spectrum_command(CLI::App& app, Session& session) {
   c->callback([&session, name, values] {
     session.action = [&session, name, values] {
       const Scheme scheme = make_scheme(*name);
+      if (scheme.block > 1) {
+        deliver(session.common, hermite_spectrum(scheme, *values, session.common.format == "json"));
+        return 0;
+      }
       const ChosenMask chosen = chosen_mask(scheme, *values);
       const Spectrum s = analysis::spectrum(chosen.mask, scheme.arity);
       deliver(session.common,

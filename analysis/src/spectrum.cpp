@@ -349,46 +349,17 @@ NecessaryConditions necessary_conditions(const Spectrum& s, const std::vector<Nu
   return r;
 }
 
-}  // namespace
-
-std::string polynomial_text(const SpectralPolynomial& p, const std::string& variable) {
-  if (p.size() == 1) return p[0].to_string();
-  std::string s;
-  for (std::size_t k = p.size(); k-- > 0;) {
-    if (p[k].is_zero()) continue;
-    std::string term = p[k].to_string();
-    const bool negative = term[0] == '-';  // in front of the whole coefficient
-    if (negative) term = p[k].constant() ? term.substr(1) : (-p[k]).to_string();
-    term = parenthesised(term);
-    const std::string power = k == 0 ? "" : k == 1 ? variable : variable + "^" + std::to_string(k);
-    if (k > 0) term = term == "1" ? power : term + "*" + power;
-    s += s.empty() ? (negative ? "-" : "") : negative ? " - " : " + ";
-    s += term;
-  }
-  return s.empty() ? "0" : s;
-}
-
-LocalMatrix local_matrix(const Laurent& mask, int arity) {
-  if (mask.is_zero()) bad_input("the mask is zero");
-  const long lowest = -floor_division(mask.highest(), arity - 1);
-  const long top = floor_division(-mask.lowest(), arity - 1);
-  if (top < lowest)
-    bad_input("no range of points is refined from itself, the mask is shorter than the arity",
-              std::to_string(mask.coefficients().size()) + " coefficients");
-  const auto n = static_cast<std::size_t>(top - lowest + 1);
-  LocalMatrix r{lowest, SymbolicMatrix(n, n)};
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      r.entries(i, j) = mask.coefficient(lowest + static_cast<long>(i) - arity * (lowest + static_cast<long>(j)));
-  return r;
-}
-
-Spectrum spectrum(const Laurent& mask, int arity) {
-  Spectrum s;
-  s.arity = arity;
-  s.matrix = local_matrix(mask, arity);
-  const auto names = mask.variables();
-  for (s.variable = "x"; std::find(names.begin(), names.end(), s.variable) != names.end();) s.variable += "x";
+// Factors, eigenvectors and eigenvalues of s.matrix; `numeric` points into `roots`.
+void decompose(Spectrum& s, std::vector<std::unique_ptr<Roots>>& roots, std::vector<Numeric>& numeric) {
+  const auto occurs = [&](const std::string& name) {
+    for (std::size_t i = 0; i < s.matrix.entries.rows(); ++i)
+      for (std::size_t j = 0; j < s.matrix.entries.columns(); ++j) {
+        const auto names = s.matrix.entries(i, j).variables();
+        if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+      }
+    return false;
+  };
+  for (s.variable = "x"; occurs(s.variable);) s.variable += "x";
   const auto rational = constant(s.matrix.entries);
   if (rational) {
     SpectralPolynomial p;
@@ -402,8 +373,6 @@ Spectrum spectrum(const Laurent& mask, int arity) {
     for (auto& f : s.factors) find_eigenvectors(f, s.matrix.entries, transpose, f.polynomial);
   }
 
-  std::vector<std::unique_ptr<Roots>> roots;
-  std::vector<Numeric> numeric;
   std::vector<Eigenvalue> symbolic;
   for (std::size_t i = 0; i < s.factors.size(); ++i) {
     const SpectralFactor& f = s.factors[i];
@@ -453,7 +422,59 @@ Spectrum spectrum(const Laurent& mask, int arity) {
   }
   for (const auto& n : numeric) s.eigenvalues.push_back(n.value);
   s.eigenvalues.insert(s.eigenvalues.end(), symbolic.begin(), symbolic.end());
+}
 
+}  // namespace
+
+std::string polynomial_text(const SpectralPolynomial& p, const std::string& variable) {
+  if (p.size() == 1) return p[0].to_string();
+  std::string s;
+  for (std::size_t k = p.size(); k-- > 0;) {
+    if (p[k].is_zero()) continue;
+    std::string term = p[k].to_string();
+    const bool negative = term[0] == '-';  // in front of the whole coefficient
+    if (negative) term = p[k].constant() ? term.substr(1) : (-p[k]).to_string();
+    term = parenthesised(term);
+    const std::string power = k == 0 ? "" : k == 1 ? variable : variable + "^" + std::to_string(k);
+    if (k > 0) term = term == "1" ? power : term + "*" + power;
+    s += s.empty() ? (negative ? "-" : "") : negative ? " - " : " + ";
+    s += term;
+  }
+  return s.empty() ? "0" : s;
+}
+
+LocalMatrix local_matrix(const Laurent& mask, int arity) {
+  if (mask.is_zero()) bad_input("the mask is zero");
+  const long lowest = -floor_division(mask.highest(), arity - 1);
+  const long top = floor_division(-mask.lowest(), arity - 1);
+  if (top < lowest)
+    bad_input("no range of points is refined from itself, the mask is shorter than the arity",
+              std::to_string(mask.coefficients().size()) + " coefficients");
+  const auto n = static_cast<std::size_t>(top - lowest + 1);
+  LocalMatrix r{lowest, SymbolicMatrix(n, n)};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      r.entries(i, j) = mask.coefficient(lowest + static_cast<long>(i) - arity * (lowest + static_cast<long>(j)));
+  return r;
+}
+
+Spectrum spectrum(LocalMatrix matrix, int arity) {
+  Spectrum s;
+  s.arity = arity;
+  s.matrix = std::move(matrix);
+  std::vector<std::unique_ptr<Roots>> roots;
+  std::vector<Numeric> numeric;
+  decompose(s, roots, numeric);
+  return s;
+}
+
+Spectrum spectrum(const Laurent& mask, int arity) {
+  Spectrum s;
+  s.arity = arity;
+  s.matrix = local_matrix(mask, arity);
+  std::vector<std::unique_ptr<Roots>> roots;
+  std::vector<Numeric> numeric;
+  decompose(s, roots, numeric);
   const auto size = static_cast<long>(s.matrix.entries.rows());
   const long order = sum_rules(mask, arity, size);
   for (long n = 0; n < order; ++n) {

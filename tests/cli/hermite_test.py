@@ -68,11 +68,9 @@ class Stencil(ProgramTest):
 
     def test_show(self):
         document = self.twoscale_json("show", "hermite-circle:variant=c2,w=1/2")
-        self.assertEqual(document["block"], 3)
-        self.assertEqual([(p["name"], p["scope"]) for p in document["parameters"]], [("s", "local"), ("w", "constant")])
-        self.assertEqual(document["phases"][0]["blocks"], [[["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]])
-        self.assertEqual(len(document["phases"][1]["blocks"]), 2)
-        self.assertIn("rule       f''_{2j+1} =", self.twoscale("show", "hermite-circle"))
+        self.assertEqual((document["block"], document["parameters"], document["local_parameters"]), (3, ["w"], {"s": [0, 1]}))
+        self.assertEqual(document["parameter_details"]["w"]["default"], "1/2")
+        self.assertIn("f_{2j+1} =", self.twoscale("show", "hermite-circle"))
 
     def test_spectrum_of_small_steps(self):
         document = self.twoscale_json("spectrum", "hermite-circle")

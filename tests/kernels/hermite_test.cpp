@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 namespace twoscale::kernels {
 namespace {
@@ -254,6 +255,58 @@ TEST(Hermite, CurvatureAtVerticesDoesNotDependOnTension) {
         }
       }
     }
+}
+
+/// Random data, many of them degenerate (small integers, nearly on a line): refused or finite, sigma ascends, the first
+/// pole is beyond 1, and a rigid motion of generic points moves the curve.
+TEST(Hermite, RandomData) {
+  std::mt19937_64 random(2010);
+  const auto uniform = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
+  int refused = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const std::size_t n = 3 + random() % 7;
+    const std::size_t dim = 2 + random() % 2;
+    const auto kind = random() % 3;  // integers, nearly on a line, generic
+    std::vector<double> f;
+    for (std::size_t i = 0; i < n * dim; ++i)
+      f.push_back(kind == 0 ? static_cast<double>(random() % 4) : uniform() * (kind == 1 && i % dim == 1 ? 1e-7 : 1));
+    HermiteData<double> d = points(dim, f, random() % 2 == 0);
+    const bool given = random() % 3 == 0;
+    for (std::size_t i = 0; given && i < n * dim; ++i) {
+      d.p.push_back(5 * uniform());
+      d.r.push_back(5 * uniform());
+    }
+    const auto tension = random() % 2 == 0 ? Tension::printed : Tension::c2;
+    try {
+      const HermiteCurve<double> curve(d, 1, tension);
+      EXPECT_GT(curve.first_pole(), 1);
+      const auto angles = hermite_angles<double>(f, dim, d.closed, false);
+      for (std::size_t i = 0; i + 1 < n; ++i) EXPECT_LT(angles.sigma[i], angles.sigma[i + 1]) << round;
+      const auto out = curve.refined(3);
+      for (const double x : out.f) EXPECT_TRUE(std::isfinite(x)) << round;
+      if (given || kind != 2) continue;
+      const double turn[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
+      const auto moved = [&](const std::vector<double>& list) {
+        std::vector<double> to;
+        for (std::size_t i = 0; i < list.size(); i += dim)
+          for (const auto& row : turn) {
+            double x = 1;
+            for (std::size_t c = 0; c < dim; ++c) x += row[c] * list[i + c];
+            to.push_back(x);
+          }
+        return to;
+      };
+      const auto expected = moved(out.f);
+      const auto turned = refined(points(3, moved(f), d.closed), 3, 1, tension).f;
+      const double size = std::abs(*std::max_element(expected.begin(), expected.end(),
+                                                     [](double a, double b) { return std::abs(a) < std::abs(b); }));
+      for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(turned[i], expected[i], 1e-6 * size) << round;
+    } catch (const Error&) {
+      ++refused;
+      EXPECT_EQ(kind, 0U) << round;  // equal neighbours, points on a line
+    }
+  }
+  EXPECT_GT(refused, 100);
 }
 
 TEST(Hermite, UnusableDataAreRefused) {

@@ -94,6 +94,8 @@ struct Spectrum {
 };
 // Cost: for 31 x 31 over Q, or 15 x 15 with one parameter, a second or less.
 Spectrum spectrum(const Laurent& mask, int arity);
+// Of a given matrix: factors, eigenvectors and eigenvalues; no stencils, nothing about smoothness.
+Spectrum spectrum(LocalMatrix matrix, int arity);
 
 // "x^2 - 1/4*x + (w + 1)/8", highest power first.
 std::string polynomial_text(const SpectralPolynomial& p, const std::string& variable);

@@ -63,6 +63,7 @@ using std::sqrt;
 using std::tan;
 
 constexpr double pi_estimate = 3.141592653589793;
+constexpr double widest_fit = 5.5;
 
 [[noreturn]] inline void refuse(const std::string& message) { throw Error(Error::Kind::bad_input, message); }
 
@@ -295,17 +296,30 @@ HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool
     if (!central[i]) ++outside;
   }
   if (outside < 2) refuse("the points lie at the centre of their circles");
-  double turned = 0;
-  double last = 0;
-  bool any = false;
+  // What the steps add up to when all of them go forwards, in either direction; then the area, then the first step.
+  double forwards = 0;
+  double backwards = 0;
+  double area = 0;
+  double first_step = 0;
+  std::size_t last = n;
   for (std::size_t k = 0; k < n + (closed ? 1U : 0U); ++k) {
-    if (central[k % n]) continue;
-    const double now = angle(k % n);
-    if (any) turned += std::remainder(now - last, 2 * pi_estimate);
-    last = now;
-    any = true;
+    const std::size_t i = k % n;
+    if (central[i]) continue;
+    if (last < n && last != i) {
+      double gap = std::remainder(angle(i) - angle(last), 2 * pi_estimate);
+      if (std::abs(gap) < 1e-9) gap = 0;
+      forwards += gap > 0 ? gap : gap + 2 * pi_estimate;
+      backwards += gap < 0 ? -gap : 2 * pi_estimate - gap;
+      area += norm(e[last] - b) * norm(e[i] - b) * std::sin(gap);
+      if (first_step == 0) first_step = gap;
+    }
+    last = i;
   }
-  if (turned < 0) out.e2 = T(-1) * out.e2;
+  const double doubt = 1e-6;
+  if (std::abs(forwards - backwards) > doubt ? backwards < forwards
+      : std::abs(area) > doubt * size * size ? area < 0
+                                             : first_step < 0)
+    out.e2 = T(-1) * out.e2;
   const T half = pi(points[0]);
   const T turn = T(2) * half;
   out.sigma.assign(n, T(0));
@@ -355,7 +369,7 @@ HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool
     const T origin = out.sigma[0];
     for (auto& s : out.sigma) s = (s - origin) / T(windings) - half;
     out.period = turn;
-  } else if (!out.circle && !closed && turns > 1) {
+  } else if (!out.circle && !closed && (invariant ? ascent(0, n - 1) > 2 * pi_estimate : turns > 1)) {
     const T origin = out.sigma[0];
     const T range = out.sigma[n - 1] - origin;
     for (auto& s : out.sigma) s = (s - origin) * turn / range - half;
@@ -474,9 +488,9 @@ class HermiteCurve {
  public:
   /// Finds what `data` leaves open: sigma by Algorithm 1 (with the data's own axis when p and r are to be found too); p
   /// and r from the circle the points lie on, else from the function A + B cos(sigma) + C sin(sigma) through the vertex
-  /// and its two neighbours (at the end of an open curve, the next two), which is exact on circles.
-  /// Errors: unusable points (hermite_angles); sigma given and not ascending; p, r given at a pole of t; edges longer
-  /// than a chart; w <= 0, and w >= w* with the printed tension.
+  /// and its two neighbours (at the end of an open curve, the next two), which is exact on circles; where the three
+  /// span more than 5.5 in sigma, from a parabola in sigma. Errors: unusable points (hermite_angles); sigma given and
+  /// not ascending; p, r given at a pole of t; edges longer than a chart; w <= 0, and w >= w* with the printed tension.
   HermiteCurve(HermiteData<T> data, const T& w, HermiteRuleTension tension)
       : data_(std::move(data)), w_(w), tension_(tension), omega_(tension == HermiteRuleTension::c2 ? w : T(1)) {
     using namespace hermite_detail;
@@ -629,8 +643,10 @@ class HermiteCurve {
         std::tie(other[1], gap[1]) = relative(start ? 2 : end ? at - 1 : at + 1);
         std::array<T, 2> slope = {sin(gap[0]), sin(gap[1])};
         std::array<T, 2> curve = {T(1) - cos(gap[0]), T(1) - cos(gap[1])};
-        if (std::abs(estimate(slope[0] * curve[1] - slope[1] * curve[0])) <
-            1e-9 * std::abs(estimate(gap[0] * gap[1]))) {
+        // Near a full turn from end to end the function is not determined well: a parabola in sigma.
+        const double reach =
+            std::max({std::abs(estimate(gap[0])), std::abs(estimate(gap[1])), std::abs(estimate(gap[1] - gap[0]))});
+        if (reach > widest_fit) {
           slope = gap;
           curve = {gap[0] * gap[0] / T(2), gap[1] * gap[1] / T(2)};
         }
