@@ -180,7 +180,7 @@ std::string necessary_text(const NecessaryConditions& n) {
 }
 
 std::string decomposition_text(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
-  const auto size = static_cast<long>(s.matrix.entries.rows());
+  const auto size = static_cast<long>(s.matrix.entries.rows()) / scheme.block;  // vertices
   std::string out = scheme.id + ": local subdivision matrix of the " +
                     (is_stationary(scheme) ? "mask"
                      : chosen.limit        ? "limit mask"
