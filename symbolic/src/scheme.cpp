@@ -146,7 +146,15 @@ std::vector<Stencil> phases_at(const Scheme& scheme,
     if (std::none_of(values.begin(), values.end(), [&](const auto& v) { return v.first == n; }))
       bad_input("no value is given for this parameter", n);
   const auto renamed = [](const std::string& name) { return "at_" + name; };
+  std::vector<std::pair<std::string, Rational>> numbers;
+  for (const auto& [n, value] : values)
+    if (const auto c = value.constant()) numbers.emplace_back(n, *c);
   const auto put = [&](RationalFunction f) {
+    if (numbers.size() == values.size()) {
+      const auto c = f.evaluate(numbers);
+      if (!c) bad_input("the rule has a pole at these values", scheme.id);
+      return RationalFunction(*c);
+    }
     for (const auto& n : names) f = f.substitute(n, RationalFunction::variable(renamed(n)));
     for (const auto& [n, value] : values) {
       const std::string name = renamed(n);
