@@ -31,17 +31,26 @@ Stencil stencil_at(const Scheme& scheme, const Values& values, const std::map<st
       break;
     }
   Stencil s = (*phases)[1];
+  // If a value contains a name of the rule, the names are changed first. Knot intervals and constants go first: they
+  // make everything smaller.
+  bool clash = false;
+  for (const auto& [name, value] : values)
+    for (const auto& v : value.variables())
+      clash = clash || std::any_of(values.begin(), values.end(), [&](const auto& o) { return o.first == v; });
+  const std::string prefix = clash ? "at_" : "";
+  Values ordered = values;
+  std::stable_sort(ordered.begin(), ordered.end(), [](const auto& x, const auto& y) {
+    return x.second.constant().has_value() && !y.second.constant().has_value();
+  });
   for (auto& block : s.blocks) {
-    // Not the names of the rule but of the values may occur in the result.
-    for (const auto& [name, value] : values) {
-      const std::string fresh = "at_" + name;
-      block[0] = block[0].substitute(name, RationalFunction::variable(fresh));
-    }
-    for (const auto& [name, value] : values) {
+    if (clash)
+      for (const auto& [name, value] : values)
+        block[0] = block[0].substitute(name, RationalFunction::variable(prefix + name));
+    for (const auto& [name, value] : ordered) {
       for (const auto& [factor, exponent] : block[0].denominator_factors())
-        if (RationalFunction(factor).substitute("at_" + name, value).is_zero())
+        if (RationalFunction(factor).substitute(prefix + name, value).is_zero())
           bad_input("the rule has a pole at this value", name + "=" + value.to_string());
-      block[0] = block[0].substitute("at_" + name, value);
+      block[0] = block[0].substitute(prefix + name, value);
     }
   }
   return s;

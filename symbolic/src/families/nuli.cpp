@@ -75,6 +75,9 @@ Scheme nuli4(const SchemeName& name) {
   Scheme s = local_scheme(name, {-1, 0, 1}, {0});
   s.title = "NULI 4-point scheme";
   s.source = "nuli (3.5)-(3.7)";
+  s.claims = {{"interpolatory", "", "nuli (3.7)"},
+              {"reproduces", "1, x, x^2", "nuli Proposition 3.1"},
+              {"continuity", "1", "nuli Propositions 3.2, 3.3"}};
   const RationalFunction lambda = variable("lambda", 0);
   const Polynomial upper_half = Polynomial(2) * lambda.numerator() - Polynomial(1);
   s.phases = four_point(quadratic_blend(lambda, false));
@@ -86,6 +89,11 @@ Scheme nuli6(const SchemeName& name) {
   Scheme s = local_scheme(name, {-2, -1, 0, 1, 2}, {-1, 0, 1});
   s.title = "NULI 6-point scheme";
   s.source = "nuli section 4, Appendix";
+  // The paper says C^2 for all edge parameters. It fails near lambda_{i-1} = 1, lambda_i = 0, where an eigenvalue at
+  // the vertex is 1/4 or more; C^1 holds everywhere (docs/nonuniform.md).
+  s.claims = {{"interpolatory", "", "nuli (2.14)"},
+              {"reproduces", "1, x, x^2, x^3", "nuli section 4"},
+              {"continuity", "2", "nuli section 4"}};
   const RationalFunction one(1);
   const RationalFunction lambda = variable("lambda", 0);
   const auto left = [&](bool upper) {
@@ -106,6 +114,7 @@ Scheme lagrange4(const SchemeName& name) {
   Scheme s = local_scheme(name, {-1, 0, 1}, {});
   s.title = "non-uniform Lagrange 4-point scheme";
   s.source = "Daubechies, Guskov and Sweldens 1999";
+  s.claims = {{"interpolatory", "", ""}, {"reproduces", "1, x, x^2, x^3", ""}, {"continuity", "1", ""}};
   Stencil odd = empty_stencil(-1, 2);
   add_interpolant(odd, 1, -1, 3);
   s.phases = with_old_point(std::move(odd));
