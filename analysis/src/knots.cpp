@@ -46,6 +46,22 @@ Polynomial primitive(const Polynomial& p) { return p.is_zero() ? p : p.scaled(p.
 // Without the powers of the variable that divide all of it.
 Polynomial without(const Polynomial& p, const std::string& name) { return p.remove(variable(name)).first; }
 
+// Coefficients of p(radius y), cleared of the radius' denominator.
+std::vector<Polynomial> scaled_coefficients(const Polynomial& p, const Rational& radius) {
+  std::vector<Polynomial> c = coefficients_in(p, "z");
+  const Polynomial numerator = Polynomial::constant(radius.numerator());
+  const Polynomial denominator = Polynomial::constant(radius.denominator());
+  for (std::size_t i = 0; i < c.size(); ++i)
+    c[i] = c[i] * numerator.pow(static_cast<unsigned>(i)) * denominator.pow(static_cast<unsigned>(c.size() - 1 - i));
+  return c;
+}
+
+Polynomial sum(const std::vector<Polynomial>& list) {
+  Polynomial r;
+  for (const auto& p : list) r += p;
+  return r;
+}
+
 JunctionCase decide_case(JunctionCase c, const Rational& radius, const std::vector<std::string>& zeros) {
   SignOptions options;
   for (const auto& f : c.factors) {
@@ -58,16 +74,8 @@ JunctionCase decide_case(JunctionCase c, const Rational& radius, const std::vect
         options.zeros.push_back(z);
     RootBound b = all_roots_inside(f, "z", radius, box, options);
     if (b.verdict != Verdict::proved) {
-      std::vector<Polynomial> scaled = coefficients_in(b.polynomial, "z");
-      const Polynomial numerator = Polynomial::constant(radius.numerator());
-      const Polynomial denominator = Polynomial::constant(radius.denominator());
-      Polynomial at_radius;  // f(radius), cleared
-      for (std::size_t i = 0; i < scaled.size(); ++i) {
-        scaled[i] = scaled[i] * numerator.pow(static_cast<unsigned>(i)) *
-                    denominator.pow(static_cast<unsigned>(scaled.size() - 1 - i));
-        at_radius += scaled[i];
-      }
-      at_radius = primitive(at_radius);
+      const std::vector<Polynomial> scaled = scaled_coefficients(b.polynomial, radius);
+      const Polynomial at_radius = primitive(sum(scaled));
       bool others = !box.empty();
       for (const auto& condition : scaled.size() <= 4 ? jury_conditions(scaled) : lienard_chipart_conditions(scaled)) {
         if (primitive(condition) == at_radius) continue;
@@ -75,10 +83,24 @@ JunctionCase decide_case(JunctionCase c, const Rational& radius, const std::vect
         others = others && sign.verdict == Verdict::proved;
         c.conditions.emplace_back(primitive(condition), std::move(sign));
       }
-      if (others) c.boundary = at_radius;
+      if (others) {
+        const Polynomial plain = primitive(sum(scaled_coefficients(c.plain[c.bounds.size()], radius)));
+        c.boundary = b.polynomial == f ? plain : -plain;
+      }
     }
     c.bounds.push_back(std::move(b));
   }
+  return c;
+}
+
+JunctionCase make_case(std::string domain, std::optional<std::string> chart, Box box,
+                       const std::vector<Polynomial>& plain, const std::vector<Polynomial>& in_chart = {}) {
+  JunctionCase c;
+  c.domain = std::move(domain);
+  c.chart = std::move(chart);
+  c.box = std::move(box);
+  c.plain = plain;
+  c.factors = c.chart ? in_chart : plain;
   return c;
 }
 
@@ -86,7 +108,7 @@ std::vector<JunctionCase> cases_of(const Scheme& scheme) {
   std::vector<JunctionCase> list;
   const Range alpha{"alpha", 0};
   if (!has_edge_parameters(scheme)) {
-    list.push_back({"alpha > 0", std::nullopt, {alpha}, factors_at(scheme, half, half, {{"alpha", 1}}), {}, {}, {}});
+    list.push_back(make_case("alpha > 0", std::nullopt, {alpha}, factors_at(scheme, half, half, {{"alpha", 1}})));
     return list;
   }
   const RationalFunction k = variable("k");
@@ -102,14 +124,9 @@ std::vector<JunctionCase> cases_of(const Scheme& scheme) {
         return small ? Range{name, 0, half} : Range{name, half, Rational(1)};
       };
       if (!(small_k && small_q)) {
-        list.push_back({std::string(small_k ? "0 <= k <= 1/2" : "1/2 <= k <= 1") +
-                            (small_q ? ", 0 <= q <= 1/2" : ", 1/2 <= q <= 1"),
-                        std::nullopt,
-                        {alpha, side("k", small_k), side("q", small_q)},
-                        factors,
-                        {},
-                        {},
-                        {}});
+        list.push_back(make_case(std::string(small_k ? "0 <= k <= 1/2" : "1/2 <= k <= 1") +
+                                     (small_q ? ", 0 <= q <= 1/2" : ", 1/2 <= q <= 1"),
+                                 std::nullopt, {alpha, side("k", small_k), side("q", small_q)}, factors));
         continue;
       }
       // Beside the crease k = q = 0, where everything may vanish: two charts, and the crease itself.
@@ -119,9 +136,11 @@ std::vector<JunctionCase> cases_of(const Scheme& scheme) {
         first.push_back(without(f.substitute("q", variable("k") * variable("s")), "k"));
         second.push_back(without(f.substitute("k", variable("q") * variable("s")), "q"));
       }
-      list.push_back({"0 < k <= 1/2, 0 <= q <= k", "q = k*s", {alpha, side("k", true), ratio}, first, {}, {}, {}});
-      list.push_back({"0 < q <= 1/2, 0 <= k <= q", "k = q*s", {alpha, side("q", true), ratio}, second, {}, {}, {}});
-      list.push_back({"k = q = 0", std::nullopt, {alpha}, factors_at(scheme, 1, 0, {{"alpha", 1}}), {}, {}, {}});
+      list.push_back(
+          make_case("0 < k <= 1/2, 0 <= q <= k", "q = k*s", {alpha, side("k", true), ratio}, factors, first));
+      list.push_back(
+          make_case("0 < q <= 1/2, 0 <= k <= q", "k = q*s", {alpha, side("q", true), ratio}, factors, second));
+      list.push_back(make_case("k = q = 0", std::nullopt, {alpha}, factors_at(scheme, 1, 0, {{"alpha", 1}})));
     }
   return list;
 }
@@ -287,9 +306,13 @@ JunctionVerdict decide_junction(const Scheme& scheme, long l) {
         d.verdict = Verdict::refuted;
         d.witness = place_text(c, *b.point) + ": an eigenvalue >= " + radius.to_string();
       }
-      if (c.boundary)
-        d.exceptions.push_back(c.domain + (c.chart ? " (" + *c.chart + ")" : "") + ", where not " +
-                               c.boundary->to_string() + " > 0");
+      if (c.boundary) {
+        const std::string text = c.domain == "k = q = 0"
+                                     ? "lambda_{i-1} = 1, lambda_i = 0 where not " + c.boundary->to_string() + " > 0"
+                                     : "k, q <= 1/2 where not " + c.boundary->to_string() + " > 0";
+        if (std::find(d.exceptions.begin(), d.exceptions.end(), text) == d.exceptions.end())
+          d.exceptions.push_back(text);
+      }
     }
     v.cases.push_back(std::move(c));
   }

@@ -35,10 +35,11 @@ struct JunctionCase {
   Box box;
   std::vector<Polynomial> factors;  // in "z": their roots are the eigenvalues that are not 2^{-n}
   std::vector<RootBound> bounds;    // one for each: are all roots smaller than 2^{-l}?
+  std::vector<Polynomial> plain;    // the factors in alpha, k, q; the same where there is no chart
   // Where a bound is refuted: its conditions, decided one by one. If exactly one, the value of the polynomial at
   // 2^{-l}, is not proved, the eigenvalues are inside exactly where that is positive.
   std::vector<std::pair<Polynomial, Positivity>> conditions;
-  std::optional<Polynomial> boundary;  // that value
+  std::optional<Polynomial> boundary;  // that value, in alpha, k, q
 };
 
 struct JunctionVerdict {
