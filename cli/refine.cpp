@@ -31,7 +31,6 @@ struct Options {
 
 // Schemes with local parameters: knots and edge parameters come with the points.
 int run_on_knots(const Options& o, const Common& common, const Scheme& s, kernels::PointFormat format) {
-  if (s.kernel.empty()) bad_input("this scheme has local parameters, and no kernel refines points by it", s.id);
   if (o.digits != 0) bad_input("--digits is not there for schemes on knots", s.id);
   if (o.values.v0 || o.values.t || !o.values.at.empty())
     bad_input("the parameters of this scheme come with the points (columns lambda, d, tag), not from options", s.id);
@@ -58,7 +57,7 @@ int run(const Options& o, const Common& common) {
   const kernels::PointFormat format = kernels::point_format(target);
   if (!o.open.empty()) open_rule("--open", o.open);
   const Scheme s = make_scheme(o.scheme);
-  if (!is_uniform(s)) return run_on_knots(o, common, s, format);
+  if (!s.kernel.empty()) return run_on_knots(o, common, s, format);
   if (o.parametrization || o.reparametrize)
     bad_input("--parametrization and --reparametrize are for schemes on knots (nuli4, nuli6, lagrange4)", s.id);
   const bool values = o.values.v0 || o.values.t || !o.values.at.empty();

@@ -351,7 +351,7 @@ void add_spectrum_command(CLI::App& app, Session& session) {
     session.action = [&session, name, values] {
       const Scheme scheme = make_scheme(*name);
       std::vector<std::pair<Place, Spectrum>> all;
-      if (is_uniform(scheme)) {
+      if (scheme.kernel.empty()) {
         const ChosenMask chosen = chosen_mask(scheme, *values);
         all.emplace_back(place_of(scheme, chosen), analysis::spectrum(chosen.mask, scheme.arity));
       } else {

@@ -881,7 +881,7 @@ Space reproduced_part(const Scheme& scheme, const Space& within) {
 }
 
 Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
-  if (!is_uniform(scheme) && scheme.block == 1) return prove_on_knots(scheme, claims);
+  if (!scheme.kernel.empty()) return prove_on_knots(scheme, claims);
   for (const auto& c : claims) {
     const auto& names = claim_names();
     if (std::find(names.begin(), names.end(), c.name) == names.end())
