@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   cli::add_prove_command(app, session);
   cli::add_check_command(app, session);
   cli::add_spectrum_command(app, session);
+  cli::add_stencil_command(app, session);
   cli::add_table_command(app, session);
   cli::add_refine_command(app, session);
   cli::add_surface_command(app, session);

@@ -56,6 +56,7 @@ void add_show_command(CLI::App& app, Session& session);
 void add_derive_command(CLI::App& app, Session& session);
 void add_prove_command(CLI::App& app, Session& session);
 void add_spectrum_command(CLI::App& app, Session& session);
+void add_stencil_command(CLI::App& app, Session& session);
 void add_check_command(CLI::App& app, Session& session);
 void add_table_command(CLI::App& app, Session& session);
 void add_refine_command(CLI::App& app, Session& session);

@@ -57,6 +57,7 @@ std::vector<CatalogEntry> build_catalog() {
   families::add_quasi_splines(list);
   families::add_mask(list);
   families::add_files(list);
+  families::add_nuli(list);
   return list;
 }
 

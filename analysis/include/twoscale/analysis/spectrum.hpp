@@ -94,6 +94,9 @@ struct Spectrum {
 };
 // Cost: for 31 x 31 over Q, or 15 x 15 with one parameter, a second or less.
 Spectrum spectrum(const Laurent& mask, int arity);
+// The same for any local matrix: row j belongs to the parameter knots[j], and the scheme maps polynomials of degree <
+// order to such (sum rules for a mask).
+Spectrum spectrum(LocalMatrix matrix, int arity, const std::vector<RationalFunction>& knots, long order);
 
 // "x^2 - 1/4*x + (w + 1)/8", highest power first.
 std::string polynomial_text(const SpectralPolynomial& p, const std::string& variable);
