@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   cli::add_prove_command(app, session);
   cli::add_check_command(app, session);
   cli::add_spectrum_command(app, session);
+  cli::add_stencil_command(app, session);
   cli::add_table_command(app, session);
   cli::add_refine_command(app, session);
   cli::add_surface_command(app, session);
@@ -52,7 +53,6 @@ int main(int argc, char** argv) {
   cli::add_new_command(app, session);
   cli::add_two_scale_command(app, session);
   cli::add_lifting_command(app, session);
-  cli::add_stencil_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // twoscale refine SCHEME [--v0 E] --levels K [--closed|--open=given|linear|space] [--digits D] IN -o OUT: refines
 // points, and grids by tensor products (--tensor SCHEME2 ...).
+#include <algorithm>
+
 #include "hermite.hpp"
 #include "session.hpp"
 #include "tensor.hpp"
 #include "twoscale/kernels/grid_io.hpp"
+#include "twoscale/kernels/nonuniform.hpp"
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/lowering/refine_points.hpp"
 #include "twoscale/symbolic/catalog.hpp"
@@ -24,7 +27,31 @@ struct Options {
   std::string open;
   TensorOptions tensor;
   bool jets = false;
+  std::optional<std::string> parametrization;
+  bool reparametrize = false;
 };
+
+// Schemes with local parameters: knots and edge parameters come with the points.
+int run_on_knots(const Options& o, const Common& common, const Scheme& s, kernels::PointFormat format) {
+  if (o.digits != 0) bad_input("--digits is not there for schemes on knots", s.id);
+  if (o.values.v0 || o.values.t || !o.values.at.empty())
+    bad_input("the parameters of this scheme come with the points (columns lambda, d, tag), not from options", s.id);
+  if (o.tensor.any()) bad_input("--tensor is not there for schemes on knots", s.id);
+  kernels::KnotOptions knots;
+  knots.levels = static_cast<int>(o.levels);
+  if (!o.open.empty()) knots.boundary = kernels::parse_boundary(o.open);
+  knots.parametrization = kernels::parse_parametrization(o.parametrization.value_or("centripetal"));
+  knots.reparametrize = o.reparametrize;
+  const kernels::KnotRule rule = kernels::parse_knot_rule(s.kernel);
+  const kernels::PointSet in = kernels::read_points(o.input);
+  if (!o.parametrization && !o.reparametrize &&
+      std::find(in.columns.begin(), in.columns.end(), "d") != in.columns.end())
+    knots.parametrization = kernels::Parametrization::given;
+  const kernels::PointSet out = kernels::refine_on_knots(in, rule, knots);
+  const bool closed = knots.boundary == kernels::Boundary::closed;
+  kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));
+  return 0;
+}
 
 int run(const Options& o, const Common& common) {
   // Everything that can be refused without the points comes first.
@@ -32,9 +59,12 @@ int run(const Options& o, const Common& common) {
   const kernels::PointFormat format = kernels::point_format(target);
   if (!o.open.empty()) open_rule("--open", o.open);
   const Scheme s = make_scheme(o.scheme);
+  if (s.kernel.empty() && (o.parametrization || o.reparametrize))
+    bad_input("--parametrization and --reparametrize are for schemes on knots (nuli4, nuli6, lagrange4)", s.id);
+  if (s.block == 1 && o.jets) bad_input("--jets is for schemes of vertices with derivatives", s.id);
+  if (!s.kernel.empty()) return run_on_knots(o, common, s, format);
   if (s.block > 1)
     return refine_hermite_file(s, o.values, o.input, {o.levels, o.open.empty(), o.digits, o.jets}, format, common);
-  if (o.jets) bad_input("--jets is for schemes of vertices with derivatives", s.id);
   const bool values = o.values.v0 || o.values.t || !o.values.at.empty();
   if (values) lowering::bind(s, o.values.v0, o.values.t, o.values.named());
   const kernels::PointFile in = kernels::read_point_file(o.input);
@@ -91,6 +121,12 @@ void add_refine_command(CLI::App& app, Session& session) {
       ->type_name("D");
   add_tensor(c, o->tensor);
   c->add_flag("--jets", o->jets, "Hermite schemes: print p, r and sigma of every vertex, and the first pole w*");
+  c->add_option_function<std::string>(
+       "--parametrization", [o](const std::string& text) { o->parametrization = text; },
+       "schemes on knots: centripetal, chordal, uniform, or given (column d); default: given if there is a column d, "
+       "else centripetal")
+      ->type_name("KIND");
+  c->add_flag("--reparametrize", o->reparametrize, "schemes on knots: take the knots from the points at every level");
   c->callback([&session, o] { session.action = [&session, o] { return run(*o, session.common); }; });
 }
 

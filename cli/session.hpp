@@ -56,6 +56,7 @@ void add_show_command(CLI::App& app, Session& session);
 void add_derive_command(CLI::App& app, Session& session);
 void add_prove_command(CLI::App& app, Session& session);
 void add_spectrum_command(CLI::App& app, Session& session);
+void add_stencil_command(CLI::App& app, Session& session);
 void add_check_command(CLI::App& app, Session& session);
 void add_table_command(CLI::App& app, Session& session);
 void add_refine_command(CLI::App& app, Session& session);
@@ -67,6 +68,5 @@ void add_audit_command(CLI::App& app, Session& session);
 void add_regularity_command(CLI::App& app, Session& session);
 void add_two_scale_command(CLI::App& app, Session& session);
 void add_lifting_command(CLI::App& app, Session& session);
-void add_stencil_command(CLI::App& app, Session& session);
 
 }  // namespace twoscale::cli

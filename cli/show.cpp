@@ -69,6 +69,76 @@ std::string parameter_text(const Parameter& p, int arity) {
 
 bool has_symbol(const Scheme& s) { return s.block == 1 && is_uniform(s); }
 
+// A scheme with local parameters: its rules, piece by piece.
+struct PieceText {
+  std::string where;  // empty: where no other piece applies
+  const std::vector<Stencil>* phases;
+};
+std::vector<PieceText> pieces_of(const Scheme& s) {
+  std::vector<PieceText> list;
+  for (const auto& p : s.pieces) list.push_back({p.where.pretty() + " >= 0", &p.phases});
+  list.push_back({s.pieces.empty() ? "" : "else", &s.phases});
+  return list;
+}
+
+std::string names_of(const Parameter& p) {
+  std::string names;
+  for (const long offset : p.offsets) names += (names.empty() ? "" : ", ") + local_name(p.name, offset);
+  return names;
+}
+
+std::string show_local_text(const Scheme& s) {
+  std::ostringstream out;
+  out << s.id << ": " << s.title << "\n";
+  if (!s.source.empty()) out << "source     " << s.source << "\n";
+  out << "arity      " << s.arity << ", p = " << s.shift.to_string() << "\n";
+  for (const auto& p : s.parameters)
+    if (p.scope == Parameter::Scope::local)
+      out << "local      " << names_of(p) << ": "
+          << (p.rest ? "edge parameters in [0, 1], at rest " + p.rest->to_string() : "knot intervals")
+          << " of the edges j" << (p.offsets.front() < 0 ? "" : "+") << p.offsets.front() << " .. j+"
+          << p.offsets.back() << "\n";
+    else
+      out << "parameter  " << p.name << "\n";
+  for (const auto& piece : pieces_of(s)) {
+    if (!piece.where.empty()) out << "piece      " << piece.where << "\n";
+    Scheme one = s;
+    one.phases = *piece.phases;
+    for (size_t r = 0; r < one.phases.size(); ++r) out << "rule       " << rule(one, r) << "\n";
+  }
+  return out.str();
+}
+
+std::string show_local_json(const Scheme& s) {
+  using Json = nlohmann::ordered_json;
+  Json j;
+  j["format"] = "twoscale/scheme";
+  j["version"] = 1;
+  j["scheme"] = s.id;
+  j["title"] = s.title;
+  j["source"] = s.source;
+  j["arity"] = s.arity;
+  j["p"] = s.shift.to_string();
+  Json local = Json::object();
+  for (const auto& p : s.parameters)
+    if (p.scope == Parameter::Scope::local)
+      local[p.name] =
+          Json::object({{"offsets", p.offsets}, {"rest", p.rest ? Json(p.rest->to_string()) : Json(nullptr)}});
+  j["local_parameters"] = local;
+  Json pieces = Json::array();
+  for (const auto& piece : pieces_of(s)) {
+    Json phases = Json::array();
+    for (const auto& p : *piece.phases) {
+      Json c = Json::array();
+      for (const auto& b : p.blocks) c.push_back(b[0].to_string());
+      phases.push_back(Json::object({{"lowest", p.lowest}, {"coefficients", c}}));
+    }
+    pieces.push_back(Json::object({{"where", piece.where}, {"phases", phases}}));
+  }
+  j["pieces"] = pieces;
+  return j.dump(1);
+}
+
 std::string show_text(const Scheme& s) {
   std::ostringstream out;
   out << s.id << ": " << s.title << "\n";
@@ -171,6 +241,10 @@ void add_show_command(CLI::App& app, Session& session) {
   c->callback([&session, name] {
     session.action = [&session, name] {
       const Scheme s = make_scheme(*name);
+      if (!s.pieces.empty() || !s.kernel.empty()) {
+        deliver(session.common, session.common.format == "json" ? show_local_json(s) : show_local_text(s));
+        return 0;
+      }
       deliver(session.common, session.common.format == "json" ? show_json(s) : show_text(s));
       return 0;
     };

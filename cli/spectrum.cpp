@@ -3,9 +3,12 @@
 #include "spectrum.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "local_values.hpp"
 #include "twoscale/analysis/hermite.hpp"
+#include "twoscale/analysis/junction.hpp"
 #include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/symbolic/ball.hpp"
 #include "twoscale/symbolic/catalog.hpp"
@@ -78,16 +81,34 @@ const char* verdict_of(const NecessaryConditions& n) {
   return "";
 }
 
-Json decomposition_json(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
+// What the matrix belongs to.
+struct Place {
+  std::string key;   // limit, level, junction
+  std::string text;  // "the limit mask"
+  std::vector<std::pair<std::string, std::string>> values;
+};
+
+Place place_of(const Scheme& scheme, const ChosenMask& chosen) {
+  const bool stationary = is_stationary(scheme);
+  Place p{chosen.limit || stationary ? "limit" : "level",
+          stationary     ? "mask"
+          : chosen.limit ? "limit mask"
+                         : "mask of a level",
+          {}};
+  for (const auto& [name, value] : chosen.values) p.values.emplace_back(name, value.to_string());
+  return p;
+}
+
+Json decomposition_json(const Scheme& scheme, const Place& place, const Spectrum& s) {
   Json j;
   j["format"] = "twoscale/spectrum";
   j["version"] = 1;
   j["scheme"] = scheme.id;
   j["arity"] = scheme.arity;
   j["p"] = scheme.shift.to_string();
-  j["mask"] = chosen.limit || is_stationary(scheme) ? "limit" : "level";
+  j["mask"] = place.key;
   Json parameters = Json::object();
-  for (const auto& [name, value] : chosen.values) parameters[name] = value.to_string();
+  for (const auto& [name, value] : place.values) parameters[name] = value;
   j["parameters"] = parameters;
   j["lowest"] = s.matrix.lowest;
   Json matrix = Json::array();
@@ -125,8 +146,8 @@ Json decomposition_json(const Scheme& scheme, const ChosenMask& chosen, const Sp
   return j;
 }
 
-std::string to_json(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
-  Json j = decomposition_json(scheme, chosen, s);
+Json to_json(const Scheme& scheme, const Place& place, const Spectrum& s) {
+  Json j = decomposition_json(scheme, place, s);
   Json stencils = Json::array();
   for (const auto& l : s.stencils) {
     Json c = Json::array();
@@ -143,7 +164,7 @@ std::string to_json(const Scheme& scheme, const ChosenMask& chosen, const Spectr
                                  {"obstruction", n.obstruction},
                                  {"conditions", n.conditions},
                                  {"hypothesis", hypothesis}});
-  return j.dump(1);
+  return j;
 }
 
 // Columns of equal width, the text at their right or left.
@@ -179,13 +200,10 @@ std::string necessary_text(const NecessaryConditions& n) {
          n.obstruction + "\n           (" + hypothesis + ")\n";
 }
 
-std::string decomposition_text(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
+std::string decomposition_text(const Scheme& scheme, const Place& place, const Spectrum& s) {
   const auto size = static_cast<long>(s.matrix.entries.rows()) / scheme.block;  // vertices
-  std::string out = scheme.id + ": local subdivision matrix of the " +
-                    (is_stationary(scheme) ? "mask"
-                     : chosen.limit        ? "limit mask"
-                                           : "mask of a level");
-  for (const auto& [name, value] : chosen.values) out += ", " + name + " = " + value.to_string();
+  std::string out = scheme.id + ": local subdivision matrix of the " + place.text;
+  for (const auto& [name, value] : place.values) out += ", " + name + " = " + value;
   out += "\nindices    " + std::to_string(s.matrix.lowest) + ".." + std::to_string(s.matrix.lowest + size - 1) +
          ", p = " + scheme.shift.to_string() + "\n";
   std::vector<std::vector<std::string>> rows;
@@ -220,8 +238,8 @@ std::string decomposition_text(const Scheme& scheme, const ChosenMask& chosen, c
   return out;
 }
 
-std::string to_text(const Scheme& scheme, const ChosenMask& chosen, const Spectrum& s) {
-  std::string out = decomposition_text(scheme, chosen, s);
+std::string to_text(const Scheme& scheme, const Place& place, const Spectrum& s) {
+  std::string out = decomposition_text(scheme, place, s);
   if (!s.stencils.empty()) out += "\nlimit stencils at t = 0\n";
   for (const auto& l : s.stencils) {
     out += l.derivative == 0 ? "  value       " : "  derivative " + std::to_string(l.derivative);
@@ -251,7 +269,7 @@ std::string hermite_spectrum(const Scheme& given, const Values& at, bool json) {
       analysis::local_matrix(scaled ? analysis::rescaled(mask, condition.scales) : mask), mask.arity);
   const auto polynomial = [](const std::vector<RationalFunction>& p) { return analysis::polynomial_text(p, "x"); };
   if (json) {
-    Json j = decomposition_json(scheme, chosen, s);
+    Json j = decomposition_json(scheme, place_of(scheme, chosen), s);
     Json scales = Json::array();
     for (const auto& c : condition.scales) scales.push_back(c.to_string());
     Json polynomials = Json::array();
@@ -264,7 +282,7 @@ std::string hermite_spectrum(const Scheme& given, const Values& at, bool json) {
                                  {"reproduces_polynomials", condition.reproduces}});
     return j.dump(1);
   }
-  std::string out = decomposition_text(scheme, chosen, s);
+  std::string out = decomposition_text(scheme, place_of(scheme, chosen), s);
   out += "\nspectral condition  of order " + std::to_string(condition.order);
   if (condition.order == condition.searched) out += " at least";
   out += condition.reproduces ? ", polynomials of this degree are reproduced\n" : "\n";
@@ -274,6 +292,61 @@ std::string hermite_spectrum(const Scheme& given, const Values& at, bool json) {
            " times the derivative of the limit in " + parameter + "\n";
   for (const auto& p : condition.polynomials) out += "  eigenpolynomial " + polynomial(p) + "\n";
   return out + (condition.consistent ? "consistent: derivatives of one parameter\n" : "not consistent\n");
+}
+
+// `spectrum` of a scheme on knots: alpha (a variable if not given) and the two edge parameters at the junction. An edge
+// parameter that is a variable, or an expression in one, gives one answer for each side of 1/2 of the variable.
+std::vector<std::pair<Place, Spectrum>> junction_spectra(const Scheme& scheme, const Values& at) {
+  RationalFunction alpha = RationalFunction::variable("alpha");
+  std::map<std::string, std::vector<RationalFunction>> edges;
+  for (const auto& p : scheme.parameters)
+    if (p.rest) edges[p.name] = {*p.rest, *p.rest};
+  std::vector<std::string> seen;
+  for (const auto& [name, text] : at.named()) {
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) bad_input("--at: a value is given twice", name);
+    seen.push_back(name);
+    std::vector<RationalFunction> list = expression_list(name, text);
+    const auto parameter = std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
+                                        [&, &given = name](const auto& p) { return p.name == given && p.rest; });
+    if (name != "alpha" && parameter == scheme.parameters.end())
+      bad_input("--at: a junction of " + scheme.id + " has no parameter of this name (alpha, lambda)", name);
+    const std::size_t count = name == "alpha" ? 1 : 2;
+    if (list.size() != count)
+      bad_input("--at: " + name + " takes " + std::to_string(count) + " value" + (count == 1 ? "" : "s"), text);
+    if (name == "alpha") {
+      if (const auto c = list[0].constant(); c && c->sign() <= 0) bad_input("--at: alpha must be positive", text);
+      alpha = list[0];
+    } else {
+      for (const auto& v : list) check_local_value(scheme, *parameter, v);
+      edges[name] = std::move(list);
+    }
+  }
+  if (edges.size() > 1) bad_input("this scheme has more than one edge parameter", scheme.id);
+  const std::vector<RationalFunction> lambda =
+      edges.empty() ? std::vector<RationalFunction>(2, Rational(1, 2)) : edges.begin()->second;
+  std::vector<std::string> variables;
+  for (const auto& l : lambda)
+    for (const auto& v : l.variables())
+      if (std::find(variables.begin(), variables.end(), v) == variables.end()) variables.push_back(v);
+  if (variables.size() > 2) bad_input("--at: the edge parameters have more than two variables", at.at.front());
+
+  std::vector<std::pair<Place, Spectrum>> all;
+  for (unsigned branch = 0; branch < (1U << variables.size()); ++branch) {
+    Place place{"junction", "junction", {{"alpha", alpha.to_string()}}};
+    if (!edges.empty())
+      place.values.emplace_back(edges.begin()->first, "[" + lambda[0].to_string() + ", " + lambda[1].to_string() + "]");
+    std::map<std::string, Rational> sample;
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+      const bool upper = (branch >> v & 1U) != 0;
+      sample[variables[v]] = upper ? Rational(3, 4) : Rational(1, 4);
+      place.values.emplace_back("side of " + variables[v], upper ? ">= 1/2" : "<= 1/2");
+    }
+    for (const auto& v : alpha.variables())
+      if (!sample.contains(v)) sample[v] = 1;
+    all.emplace_back(std::move(place),
+                     analysis::spectrum(analysis::junction(scheme, alpha, lambda[0], lambda[1], sample)));
+  }
+  return all;
 }
 
 }  // namespace
@@ -334,10 +407,23 @@ void add_spectrum_command(CLI::App& app, Session& session) {
         deliver(session.common, hermite_spectrum(scheme, *values, session.common.format == "json"));
         return 0;
       }
-      const ChosenMask chosen = chosen_mask(scheme, *values);
-      const Spectrum s = analysis::spectrum(chosen.mask, scheme.arity);
-      deliver(session.common,
-              session.common.format == "json" ? to_json(scheme, chosen, s) : to_text(scheme, chosen, s));
+      std::vector<std::pair<Place, Spectrum>> all;
+      if (scheme.kernel.empty()) {
+        const ChosenMask chosen = chosen_mask(scheme, *values);
+        all.emplace_back(place_of(scheme, chosen), analysis::spectrum(chosen.mask, scheme.arity));
+      } else {
+        all = junction_spectra(scheme, *values);
+      }
+      if (session.common.format == "json") {
+        Json j = to_json(scheme, all[0].first, all[0].second);
+        for (std::size_t i = 1; i < all.size(); ++i)
+          j["branches"].push_back(to_json(scheme, all[i].first, all[i].second));
+        deliver(session.common, j.dump(1));
+      } else {
+        std::string text;
+        for (const auto& [place, s] : all) text += (text.empty() ? "" : "\n") + to_text(scheme, place, s);
+        deliver(session.common, text);
+      }
       return 0;
     };
   });

@@ -9,6 +9,7 @@
 #include "domain_sign.hpp"
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/exponential_sums.hpp"
+#include "twoscale/analysis/knots.hpp"
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/interpolatory.hpp"
@@ -880,6 +881,7 @@ Space reproduced_part(const Scheme& scheme, const Space& within) {
 }
 
 Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
+  if (!scheme.kernel.empty()) return prove_on_knots(scheme, claims);
   for (const auto& c : claims) {
     const auto& names = claim_names();
     if (std::find(names.begin(), names.end(), c.name) == names.end())

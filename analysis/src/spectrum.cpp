@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "twoscale/analysis/roots.hpp"
 #include "twoscale/symbolic/ball.hpp"
@@ -266,10 +267,13 @@ std::vector<RationalFunction> plain(const Eigenvector& u) {
   return r;
 }
 
-// The n-th difference if it is a constant other than 0: n! times the leading coefficient of a polynomial of degree n.
-std::optional<RationalFunction> leading_difference(std::vector<RationalFunction> u, long n) {
-  for (long k = 0; k < n; ++k) {
-    for (std::size_t j = 0; j + 1 < u.size(); ++j) u[j] = u[j + 1] - u[j];
+// n! times the n-th divided difference on the knots if it is a constant other than 0: n! times the leading coefficient
+// of a polynomial of degree n.
+std::optional<RationalFunction> leading_coefficient(std::vector<RationalFunction> u,
+                                                    const std::vector<RationalFunction>& knots, long n) {
+  for (std::size_t k = 1; k <= static_cast<std::size_t>(n) && !u.empty(); ++k) {
+    for (std::size_t j = 0; j + 1 < u.size(); ++j)
+      u[j] = RationalFunction(static_cast<long>(k)) * (u[j + 1] - u[j]) / (knots[j + k] - knots[j]);
     u.pop_back();
   }
   if (u.empty() || u[0].is_zero()) return std::nullopt;
@@ -278,10 +282,11 @@ std::optional<RationalFunction> leading_difference(std::vector<RationalFunction>
   return u[0];
 }
 
-std::optional<LimitStencil> limit_stencil(const SpectralFactor& f, long lowest, long n) {
+std::optional<LimitStencil> limit_stencil(const SpectralFactor& f, long lowest,
+                                          const std::vector<RationalFunction>& knots, long n) {
   const auto u = plain(f.right[0]);
   const auto left = plain(f.left[0]);
-  const auto lead = leading_difference(u, n);
+  const auto lead = leading_coefficient(u, knots, n);
   RationalFunction pairing;
   for (std::size_t j = 0; j < u.size(); ++j) pairing += left[j] * u[j];
   if (!lead || pairing.is_zero()) return std::nullopt;
@@ -458,6 +463,14 @@ LocalMatrix local_matrix(const Laurent& mask, int arity) {
   return r;
 }
 
+Spectrum spectrum(const Laurent& mask, int arity) {
+  LocalMatrix matrix = local_matrix(mask, arity);
+  std::vector<RationalFunction> knots;
+  for (std::size_t j = 0; j < matrix.entries.rows(); ++j) knots.emplace_back(matrix.lowest + static_cast<long>(j));
+  const long order = sum_rules(mask, arity, static_cast<long>(matrix.entries.rows()));
+  return spectrum(std::move(matrix), arity, knots, order);
+}
+
 Spectrum spectrum(LocalMatrix matrix, int arity) {
   Spectrum s;
   s.arity = arity;
@@ -468,19 +481,17 @@ Spectrum spectrum(LocalMatrix matrix, int arity) {
   return s;
 }
 
-Spectrum spectrum(const Laurent& mask, int arity) {
+Spectrum spectrum(LocalMatrix matrix, int arity, const std::vector<RationalFunction>& knots, long order) {
   Spectrum s;
   s.arity = arity;
-  s.matrix = local_matrix(mask, arity);
+  s.matrix = std::move(matrix);
   std::vector<std::unique_ptr<Roots>> roots;
   std::vector<Numeric> numeric;
   decompose(s, roots, numeric);
-  const auto size = static_cast<long>(s.matrix.entries.rows());
-  const long order = sum_rules(mask, arity, size);
   for (long n = 0; n < order; ++n) {
     const SpectralFactor* f = factor_of_power(s, n);
     if (f == nullptr || f->multiplicity != 1) continue;
-    if (auto stencil = limit_stencil(*f, s.matrix.lowest, n)) s.stencils.push_back(*std::move(stencil));
+    if (auto stencil = limit_stencil(*f, s.matrix.lowest, knots, n)) s.stencils.push_back(*std::move(stencil));
   }
   s.necessary = necessary_conditions(s, numeric, order);
   return s;

@@ -58,6 +58,7 @@ std::vector<CatalogEntry> build_catalog() {
   families::add_mask(list);
   families::add_files(list);
   families::add_hermite(list);
+  families::add_nuli(list);
   return list;
 }
 

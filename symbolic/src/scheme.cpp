@@ -138,6 +138,53 @@ Scheme with_default_values(const Scheme& scheme) {
   return with_values(scheme, values);
 }
 
+std::vector<Stencil> phases_at(const Scheme& scheme,
+                               const std::vector<std::pair<std::string, RationalFunction>>& values) {
+  // All at once: a value may contain the name of another parameter.
+  std::vector<std::string> names;
+  for (const auto& p : scheme.parameters) {
+    if (p.scope != Parameter::Scope::local) names.push_back(p.name);
+    for (const long offset : p.offsets) names.push_back(local_name(p.name, offset));
+  }
+  for (const auto& n : names)
+    if (std::none_of(values.begin(), values.end(), [&](const auto& v) { return v.first == n; }))
+      bad_input("no value is given for this parameter", n);
+  const auto renamed = [](const std::string& name) { return "at_" + name; };
+  std::vector<std::pair<std::string, Rational>> numbers;
+  for (const auto& [n, value] : values)
+    if (const auto c = value.constant()) numbers.emplace_back(n, *c);
+  const auto put = [&](RationalFunction f) {
+    if (numbers.size() == values.size()) {
+      const auto c = f.evaluate(numbers);
+      if (!c) bad_input("the rule has a pole at these values", scheme.id);
+      return RationalFunction(*c);
+    }
+    for (const auto& n : names) f = f.substitute(n, RationalFunction::variable(renamed(n)));
+    for (const auto& [n, value] : values) {
+      const std::string name = renamed(n);
+      for (const auto& [factor, exponent] : f.denominator_factors())
+        if (RationalFunction(factor).substitute(name, value).is_zero())
+          bad_input("the rule has a pole at this value", n + "=" + value.to_string());
+      f = f.substitute(name, value);
+    }
+    return f;
+  };
+  const std::vector<Stencil>* chosen = &scheme.phases;
+  for (const auto& piece : scheme.pieces) {
+    const RationalFunction where = put(piece.where);
+    const auto value = where.constant();
+    if (!value) bad_input("which piece of the rule holds depends on the sign of this", where.to_string());
+    if (value->sign() < 0) continue;
+    chosen = &piece.phases;
+    break;
+  }
+  std::vector<Stencil> result = *chosen;
+  for (auto& stencil : result)
+    for (auto& block : stencil.blocks)
+      for (auto& c : block) c = put(c);
+  return result;
+}
+
 std::vector<Parameter> level_parameters(const Space& space) {
   std::vector<Parameter> list;
   for (const auto& v : space.variables()) list.push_back({v.name, Parameter::Scope::level, v});

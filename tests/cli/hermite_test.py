@@ -58,13 +58,12 @@ class Stencil(ProgramTest):
     def test_refusals(self):
         self.refused("stencil", "hermite-circle", naming="s")
         self.refused("stencil", "hermite-circle", "--at", "s=[1/5]", naming="s")
-        self.refused("stencil", "hermite-circle", "--at", "s=[1/5,x]", naming="x")
+        self.refused("stencil", "hermite-circle", "--at", "s=[1/5,#]", naming="#")
         self.refused("stencil", "hermite-circle", "--at", "s=[1/5,1/5]", naming="pole")
         self.refused("stencil", "hermite-circle", "--at", "s=[1/5,1]", naming="pole")
         self.refused("stencil", "hermite-circle", "--at", "s=[1/5,1/3],w=0", naming="w")
         self.refused("stencil", "hermite-circle", "--at", "s=[1/5,1/3],d=1", naming="d")
         self.refused("stencil", "hermite-circle:w=0", "--at", "s=[1/5,1/3]", naming="0")
-
 
     def test_show(self):
         document = self.twoscale_json("show", "hermite-circle:variant=c2,w=1/2")

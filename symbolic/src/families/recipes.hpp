@@ -34,5 +34,6 @@ void add_files(std::vector<CatalogEntry>& list);
 // The scheme of a file with the values of constant parameters that `name` has as keys; its id is the file's name with
 // these keys. Throws Error(bad_input) naming a key that is none, or a value that is not rational or outside its domain.
 Scheme scheme_of_file(const SchemeFile& file, SchemeName name);
+void add_nuli(std::vector<CatalogEntry>& list);
 
 }  // namespace twoscale::families

@@ -96,6 +96,9 @@ struct Spectrum {
 Spectrum spectrum(const Laurent& mask, int arity);
 // Of a given matrix: factors, eigenvectors and eigenvalues; no stencils, nothing about smoothness.
 Spectrum spectrum(LocalMatrix matrix, int arity);
+// The same for any local matrix: row j belongs to the parameter knots[j], and the scheme maps polynomials of degree <
+// order to such (sum rules for a mask).
+Spectrum spectrum(LocalMatrix matrix, int arity, const std::vector<RationalFunction>& knots, long order);
 
 // "x^2 - 1/4*x + (w + 1)/8", highest power first.
 std::string polynomial_text(const SpectralPolynomial& p, const std::string& variable);

@@ -35,6 +35,10 @@ struct Parameter {
   std::optional<Domain> domain = {};  // of the values, of v^{[0]} in the user's spelling for a level parameter
   std::string default_value = {};     // an expression; empty: a value must be given
   std::string help = {};
+  // Of a local parameter that belongs to the data: its value at every edge that touches no vertex of the data (edge
+  // parameters; they are inherited by the two edges at a vertex). Without it the parameter is a knot interval, halved
+  // at every step.
+  std::optional<Rational> rest = {};
 };
 
 // How a stencil spells the value of a local parameter: d_0, d_1, and d_m1 for offset -1.
@@ -44,6 +48,12 @@ std::string local_name(const std::string& name, long offset);
 struct Stencil {
   long lowest = 0;
   std::vector<std::vector<RationalFunction>> blocks;
+};
+
+// A rule that is rational in pieces: where `where` >= 0 at the local parameters, `phases` hold instead.
+struct Piece {
+  Polynomial where;
+  std::vector<Stencil> phases;
 };
 
 // What the source of a scheme says about it; `prove` decides it.
@@ -61,10 +71,13 @@ struct Scheme {
   int block = 1;
   std::vector<Parameter> parameters;
   std::vector<Stencil> phases;      // arity of them
+  std::vector<Piece> pieces;        // the first that applies holds; `phases` where none does
   Rational shift;                   // p: parameters t^k_j = (j + p)/m^k
   std::optional<Space> space;       // the space it was built from, in the level variables of `parameters`
   std::optional<Space> reproduced;  // the part of it that the recipe asked to be reproduced, if it did
   std::vector<Claim> claims;
+  // With local parameters: the numerical kernel that refines points by this rule (kernels/nonuniform.hpp); empty: none.
+  std::string kernel = {};
 
   // A scalar uniform scheme from its symbol; p is (a'(1)/a(1))/(m-1), which is c/(m-1) for a mask symmetric about c.
   // Throws Error(bad_input) if p would depend on a parameter or a(1) = 0. A `shift` that is given is taken.
@@ -90,6 +103,10 @@ std::optional<Laurent> limit_symbol(const Scheme& scheme);
 Scheme with_values(const Scheme& scheme, const std::vector<std::pair<std::string, RationalFunction>>& values);
 // The scheme with its constant parameters that have a rational default value replaced by it.
 Scheme with_default_values(const Scheme& scheme);
+// The phases that hold at these values of all parameters, with the values put in. Names as in the stencils. Throws
+// Error(bad_input) for a name that is missing, a condition `where` whose sign depends on a variable, a pole.
+std::vector<Stencil> phases_at(const Scheme& scheme,
+                               const std::vector<std::pair<std::string, RationalFunction>>& values);
 // Parameters for the level variables of a space.
 std::vector<Parameter> level_parameters(const Space& space);
 // "v^{k+1} = sqrt((1 + v^k)/2)" for m = 2, "v^k = T_3(v^{k+1}) = 4*v^3 - 3*v" in general.

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "twoscale/analysis/knots.hpp"
+
+#include <algorithm>
+
+#include "twoscale/analysis/certificate.hpp"
+#include "twoscale/analysis/regularity.hpp"
+#include "twoscale/symbolic/error.hpp"
+
+namespace twoscale::analysis {
+
+namespace {
+
+const Rational half(1, 2);
+
+Polynomial variable(const std::string& name) { return Polynomial::variable(name); }
+
+bool has_edge_parameters(const Scheme& scheme) {
+  return std::any_of(scheme.parameters.begin(), scheme.parameters.end(),
+                     [](const auto& p) { return p.rest.has_value(); });
+}
+
+// Cleared of denominators.
+Polynomial cleared(const SpectralPolynomial& p) {
+  const CommonDenominator d = common_denominator(p);
+  Polynomial r;
+  for (std::size_t i = 0; i < p.size(); ++i) r += numerator_over(p[i], d) * variable("z").pow(static_cast<unsigned>(i));
+  return r;
+}
+
+std::vector<Polynomial> factors_at(const Scheme& scheme, const RationalFunction& left, const RationalFunction& right,
+                                   const std::map<std::string, Rational>& sample) {
+  const Junction j = junction(scheme, RationalFunction::variable("alpha"), left, right, sample);
+  std::vector<Polynomial> list;
+  for (const auto& block : characteristic_blocks(divided_difference_matrix(j))) {
+    Polynomial p = cleared(block);
+    if (p.degree("z") < 1) continue;
+    p = p.scaled(p.content().inverse());
+    if (std::find(list.begin(), list.end(), p) == list.end()) list.push_back(p);
+  }
+  return list;
+}
+
+Polynomial primitive(const Polynomial& p) { return p.is_zero() ? p : p.scaled(p.content().inverse()); }
+
+// Without the powers of the variable that divide all of it.
+Polynomial without(const Polynomial& p, const std::string& name) { return p.remove(variable(name)).first; }
+
+// Coefficients of p(radius y), cleared of the radius' denominator.
+std::vector<Polynomial> scaled_coefficients(const Polynomial& p, const Rational& radius) {
+  std::vector<Polynomial> c = coefficients_in(p, "z");
+  const Polynomial numerator = Polynomial::constant(radius.numerator());
+  const Polynomial denominator = Polynomial::constant(radius.denominator());
+  for (std::size_t i = 0; i < c.size(); ++i)
+    c[i] = c[i] * numerator.pow(static_cast<unsigned>(i)) * denominator.pow(static_cast<unsigned>(c.size() - 1 - i));
+  return c;
+}
+
+Polynomial sum(const std::vector<Polynomial>& list) {
+  Polynomial r;
+  for (const auto& p : list) r += p;
+  return r;
+}
+
+JunctionCase decide_case(JunctionCase c, const Rational& radius, const std::vector<std::string>& zeros) {
+  SignOptions options;
+  for (const auto& f : c.factors) {
+    Box box;
+    for (const auto& r : c.box)
+      if (f.degree(r.name) > 0) box.push_back(r);
+    options.zeros.clear();
+    for (const auto& z : zeros)
+      if (std::any_of(box.begin(), box.end(), [&](const auto& r) { return z.substr(0, z.find('=')) == r.name; }))
+        options.zeros.push_back(z);
+    RootBound b = all_roots_inside(f, "z", radius, box, options);
+    if (b.verdict != Verdict::proved) {
+      const std::vector<Polynomial> scaled = scaled_coefficients(b.polynomial, radius);
+      const Polynomial at_radius = primitive(sum(scaled));
+      bool others = !box.empty();
+      for (const auto& condition : scaled.size() <= 4 ? jury_conditions(scaled) : lienard_chipart_conditions(scaled)) {
+        if (primitive(condition) == at_radius) continue;
+        Positivity sign = decide_sign(primitive(condition), box, options);
+        others = others && sign.verdict == Verdict::proved;
+        c.conditions.emplace_back(primitive(condition), std::move(sign));
+      }
+      if (others) {
+        const Polynomial plain = primitive(sum(scaled_coefficients(c.plain[c.bounds.size()], radius)));
+        c.boundary = b.polynomial == f ? plain : -plain;
+      }
+    }
+    c.bounds.push_back(std::move(b));
+  }
+  return c;
+}
+
+JunctionCase make_case(std::string domain, std::optional<std::string> chart, Box box,
+                       const std::vector<Polynomial>& plain, const std::vector<Polynomial>& in_chart = {}) {
+  JunctionCase c;
+  c.domain = std::move(domain);
+  c.chart = std::move(chart);
+  c.box = std::move(box);
+  c.plain = plain;
+  c.factors = c.chart ? in_chart : plain;
+  return c;
+}
+
+std::vector<JunctionCase> cases_of(const Scheme& scheme) {
+  std::vector<JunctionCase> list;
+  const Range alpha{"alpha", 0};
+  if (!has_edge_parameters(scheme)) {
+    list.push_back(make_case("alpha > 0", std::nullopt, {alpha}, factors_at(scheme, half, half, {{"alpha", 1}})));
+    return list;
+  }
+  const RationalFunction k = variable("k");
+  const RationalFunction q = variable("q");
+  const RationalFunction one(1);
+  for (const bool small_k : {false, true})
+    for (const bool small_q : {true, false}) {
+      const std::map<std::string, Rational> sample = {{"alpha", 1},
+                                                      {"k", small_k ? Rational(1, 4) : Rational(3, 4)},
+                                                      {"q", small_q ? Rational(1, 4) : Rational(3, 4)}};
+      const std::vector<Polynomial> factors = factors_at(scheme, one - k, q, sample);
+      const auto side = [](const char* name, bool small) {
+        return small ? Range{name, 0, half} : Range{name, half, Rational(1)};
+      };
+      if (!(small_k && small_q)) {
+        list.push_back(make_case(std::string(small_k ? "0 <= k <= 1/2" : "1/2 <= k <= 1") +
+                                     (small_q ? ", 0 <= q <= 1/2" : ", 1/2 <= q <= 1"),
+                                 std::nullopt, {alpha, side("k", small_k), side("q", small_q)}, factors));
+        continue;
+      }
+      // Beside the crease k = q = 0, where everything may vanish: two charts, and the crease itself.
+      const Range ratio{"s", 0, Rational(1)};
+      std::vector<Polynomial> first, second;
+      for (const auto& f : factors) {
+        first.push_back(without(f.substitute("q", variable("k") * variable("s")), "k"));
+        second.push_back(without(f.substitute("k", variable("q") * variable("s")), "q"));
+      }
+      list.push_back(
+          make_case("0 < k <= 1/2, 0 <= q <= k", "q = k*s", {alpha, side("k", true), ratio}, factors, first));
+      list.push_back(
+          make_case("0 < q <= 1/2, 0 <= k <= q", "k = q*s", {alpha, side("q", true), ratio}, factors, second));
+      list.push_back(make_case("k = q = 0", std::nullopt, {alpha}, factors_at(scheme, 1, 0, {{"alpha", 1}})));
+    }
+  return list;
+}
+
+// k and q of a point of a case, as lambda_{-1}, lambda_0.
+std::string place_text(const JunctionCase& c, const BoxPoint& at) {
+  Rational alpha = 1, k = half, q = half, s;
+  for (const auto& [name, value] : at) (name == "alpha" ? alpha : name == "k" ? k : name == "q" ? q : s) = value;
+  if (c.chart) (*c.chart == "q = k*s" ? q : k) = (*c.chart == "q = k*s" ? k : q) * s;
+  if (c.domain == "k = q = 0") k = q = 0;
+  return "alpha = " + alpha.to_string() + ", lambda = [" + (Rational(1) - k).to_string() + ", " + q.to_string() + "]";
+}
+
+bool is_identity(const Stencil& s) {
+  for (std::size_t i = 0; i < s.blocks.size(); ++i)
+    if (!(s.blocks[i][0] == RationalFunction(s.lowest + static_cast<long>(i) == 0 ? 1 : 0))) return false;
+  return true;
+}
+
+// x^e at the knots of the edge 0, x_0 = 0, blended by the rule, minus its value in the middle: 0 as a rational
+// function.
+bool reproduces_power(const Scheme& scheme, const Stencil& odd, unsigned e) {
+  std::string interval;
+  for (const auto& p : scheme.parameters)
+    if (p.scope == Parameter::Scope::local && !p.rest) interval = p.name;
+  const auto d = [&](long offset) { return RationalFunction::variable(local_name(interval, offset)); };
+  RationalFunction sum;
+  for (std::size_t i = 0; i < odd.blocks.size(); ++i) {
+    const long j = odd.lowest + static_cast<long>(i);
+    RationalFunction x;
+    for (long k = 0; k < j; ++k) x += d(k);
+    for (long k = j; k < 0; ++k) x -= d(k);
+    sum += odd.blocks[i][0] * x.pow(e);
+  }
+  return sum == (d(0) * RationalFunction(half)).pow(e);
+}
+
+// All polynomials of the space; -1 if it is not {1, .., x^n}.
+long polynomial_degree(const std::string& subject) {
+  const Space space = Space::parse(subject);
+  for (long n = 0; n <= 64; ++n)
+    if (Space::one_frequency(static_cast<unsigned>(n + 1), {}).to_string() == space.to_string()) return n;
+  return -1;
+}
+
+Decision decide_reproduction(const Scheme& scheme, const std::string& subject) {
+  Decision d;
+  d.claim = "reproduces";
+  d.subject = subject;
+  d.domain = "all knots and edge parameters";
+  const long degree = polynomial_degree(subject);
+  if (degree < 0) bad_input("on arbitrary knots only polynomials 1, x, .., x^n can be asked for", subject);
+  d.verdict = Verdict::proved;
+  std::vector<const std::vector<Stencil>*> all{&scheme.phases};
+  for (const auto& piece : scheme.pieces) all.push_back(&piece.phases);
+  for (const auto* phases : all)
+    for (long e = 0; e <= degree && d.verdict == Verdict::proved; ++e)
+      if (!reproduces_power(scheme, (*phases)[1], static_cast<unsigned>(e))) {
+        d.verdict = Verdict::refuted;
+        d.witness = "x^" + std::to_string(e) + " on arbitrary knots";
+      }
+  return d;
+}
+
+// The order that a claim `continuity` names.
+long smoothness_order(const std::string& subject) { return subject.empty() ? 0 : Rational::parse(subject).to_long(); }
+
+}  // namespace
+
+Proof prove_on_knots(const Scheme& scheme, const std::vector<Claim>& claims) {
+  Proof proof;
+  std::vector<nlohmann::ordered_json> entries;
+  const Scheme uniform = uniform_member(scheme);
+  for (const auto& c : claims) {
+    Decision d;
+    if (c.name == "interpolatory") {
+      d.verdict = is_identity(scheme.phases[0]) ? Verdict::proved : Verdict::refuted;
+      for (const auto& piece : scheme.pieces)
+        if (!is_identity(piece.phases[0])) d.verdict = Verdict::refuted;
+      d.claim = c.name;
+      d.domain = "all knots and edge parameters";
+    } else if (c.name == "reproduces") {
+      d = decide_reproduction(scheme, c.subject);
+    } else if (c.name == "continuity") {
+      const long l = smoothness_order(c.subject);
+      d = decide_junction(scheme, l).decision;
+      const Decision between = decide_continuity(uniform, l, {});
+      d.supporting.insert(d.supporting.end(), between.supporting.begin(), between.supporting.end());
+      if (!between.evidence.is_null()) d.supporting.push_back(between.evidence);
+      if (between.verdict != Verdict::proved && d.verdict != Verdict::refuted) {
+        d.verdict = between.verdict;
+        d.witness = "equal knots, " + uniform.id + (between.witness.empty() ? "" : ": " + between.witness);
+      }
+    } else {
+      bad_input("on arbitrary knots interpolatory, reproduces and continuity can be decided, not", c.name);
+    }
+    for (const auto& e : d.supporting)
+      if (std::find(entries.begin(), entries.end(), e) == entries.end()) entries.push_back(e);
+    proof.decisions.push_back(std::move(d));
+  }
+  if (!entries.empty()) proof.certificate = certificate_text(uniform, mask_data(uniform), entries);
+  return proof;
+}
+
+SymbolicMatrix divided_difference_matrix(const Junction& j) {
+  const auto size = static_cast<long>(j.matrix.entries.rows());
+  const long order = j.order;
+  const auto x = [&](long i) { return j.knots[static_cast<std::size_t>(i)]; };
+  const auto columns = static_cast<std::size_t>(size - order);
+  SymbolicMatrix r(columns, columns);
+  for (long c = 0; c < size - order; ++c) {
+    // The data with divided difference 1 at c, 0 elsewhere, and 0 at the first `order` points.
+    std::vector<RationalFunction> u(columns);
+    u[static_cast<std::size_t>(c)] = 1;
+    for (long k = order; k >= 1; --k) {
+      std::vector<RationalFunction> integral(u.size() + 1);
+      for (std::size_t i = 0; i < u.size(); ++i)
+        integral[i + 1] =
+            u[i].is_zero() ? integral[i] : integral[i] + u[i] * (x(static_cast<long>(i) + k) - x(static_cast<long>(i)));
+      u = std::move(integral);
+    }
+    u = product(j.matrix.entries, u);
+    for (long k = 1; k <= order; ++k) {
+      for (std::size_t i = 0; i + 1 < u.size(); ++i)
+        u[i] = (u[i + 1] - u[i]) / (x(static_cast<long>(i) + k) - x(static_cast<long>(i)));
+      u.pop_back();
+    }
+    for (std::size_t i = 0; i < columns; ++i) r(i, static_cast<std::size_t>(c)) = u[i];
+  }
+  return r;
+}
+
+JunctionVerdict decide_junction(const Scheme& scheme, long l) {
+  if (l < 0 || l > 16) bad_input("an order of smoothness from 0 to 16 is expected", std::to_string(l));
+  JunctionVerdict v;
+  Decision& d = v.decision;
+  d.claim = "continuity";
+  d.subject = std::to_string(l);
+  d.domain = "the vertices of the data, all knot intervals > 0";
+  if (has_edge_parameters(scheme)) d.domain += " and edge parameters in [0, 1] (k = 1 - lambda_{i-1}, q = lambda_i)";
+  d.verdict = Verdict::proved;
+  const Rational radius = Rational(2).pow(-l);
+  for (JunctionCase& open : cases_of(scheme)) {
+    std::vector<std::string> zeros = {"alpha=lo"};
+    if (open.chart) zeros.push_back(*open.chart == "q = k*s" ? "k=lo" : "q=lo");
+    JunctionCase c = decide_case(std::move(open), radius, zeros);
+    for (std::size_t i = 0; i < c.bounds.size(); ++i) {
+      const RootBound& b = c.bounds[i];
+      if (!b.evidence.is_null()) d.supporting.push_back(b.evidence);
+      if (b.verdict == Verdict::proved) continue;
+      for (const auto& [p, sign] : c.conditions)
+        if (!sign.evidence.is_null()) d.supporting.push_back(sign.evidence);
+      if (c.domain == "k = q = 0" && b.verdict == Verdict::refuted && d.verdict == Verdict::proved) {
+        d.exceptions.push_back("lambda_{i-1} = 1, lambda_i = 0 (crease): an eigenvalue >= " + radius.to_string());
+        continue;
+      }
+      if (b.verdict == Verdict::undecided) {
+        if (d.verdict == Verdict::proved) d.verdict = Verdict::undecided;
+        if (d.witness.empty()) d.witness = c.domain + ": " + b.reason;
+        continue;
+      }
+      if (d.verdict != Verdict::refuted && b.point) {
+        d.verdict = Verdict::refuted;
+        d.witness = place_text(c, *b.point) + ": an eigenvalue >= " + radius.to_string();
+      }
+      if (c.boundary) {
+        const std::string text = c.domain == "k = q = 0"
+                                     ? "lambda_{i-1} = 1, lambda_i = 0 where not " + c.boundary->to_string() + " > 0"
+                                     : "k, q <= 1/2 where not " + c.boundary->to_string() + " > 0";
+        if (std::find(d.exceptions.begin(), d.exceptions.end(), text) == d.exceptions.end())
+          d.exceptions.push_back(text);
+      }
+    }
+    v.cases.push_back(std::move(c));
+  }
+  return v;
+}
+
+Scheme uniform_member(const Scheme& scheme) {
+  if (is_uniform(scheme)) bad_input("this scheme is uniform itself", scheme.id);
+  std::vector<std::pair<std::string, RationalFunction>> values;
+  for (const auto& p : scheme.parameters)
+    for (const long offset : p.offsets)
+      values.emplace_back(local_name(p.name, offset), p.rest ? RationalFunction(*p.rest) : RationalFunction(1));
+  Scheme uniform = scheme;
+  uniform.phases = phases_at(scheme, values);
+  uniform.pieces.clear();
+  uniform.parameters.clear();
+  uniform.claims.clear();
+  uniform.kernel.clear();
+  Scheme s = Scheme::from_symbol("mask", symbol(uniform), scheme.arity, {});
+  std::string text;
+  const Laurent a = symbol(s);
+  for (const auto& c : a.coefficients()) text += (text.empty() ? "" : ",") + c.to_string();
+  s.id = "mask:coefficients=\"" + text + "\",lowest=" + std::to_string(a.lowest());
+  s.title = "uniform member of " + scheme.id;
+  return s;
+}
+
+}  // namespace twoscale::analysis

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Schemes on knots from outside: `stencil`, `spectrum`, `prove`, `show`, `refine`."""
+
+import os
+import tempfile
+import unittest
+
+from support import ProgramTest
+
+
+class Nuli(ProgramTest):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = directory.name
+
+    def file(self, name, text):
+        path = os.path.join(self.directory, name)
+        with open(path, "w", encoding="utf-8") as f:
+            f.write(text)
+        return path
+
+    def test_stencil(self):
+        d = self.twoscale_json("stencil", "nuli4", "--at", "d=[1,1/2,3],lambda=1/3")
+        self.assertEqual((d["format"], d["version"], d["scheme"], d["lowest"]), ("twoscale/stencil", 1, "nuli4", -1))
+        self.assertEqual(d["coefficients"], ["-1/96", "113/224", "49/96", "-1/224"])
+        # Edge parameters 0 and 1 are limits, (1, 0) too; 1/2 where none are given; symbols stay.
+        d = self.twoscale_json("stencil", "nuli6", "--at", "d=[1,1/2,3,2,1],lambda=[1,0,1/2]")
+        self.assertEqual(d["coefficients"], ["0", "-675/1001", "6/5", "9/14", "-27/110", "1/13"])
+        d = self.twoscale_json("stencil", "nuli4", "--at", "d=[1,1,1]")
+        self.assertEqual(d["coefficients"], ["-1/16", "9/16", "9/16", "-1/16"])
+        d = self.twoscale_json("stencil", "nuli4", "--at", "d=[a,a,a],lambda=0")
+        self.assertEqual(d["coefficients"], ["0", "3/8", "3/4", "-1/8"])
+
+    def test_stencil_refusals(self):
+        self.refused("stencil", "nuli4", "--at", "d=[1,2]", naming="[1,2]")
+        self.refused("stencil", "nuli4", "--at", "d=[1,0,2]", naming="d=0")
+        self.refused("stencil", "nuli4", "--at", "d=[1,1,2],lambda=3/2", naming="3/2")
+        self.refused("stencil", "nuli4", "--at", "d=[1,1,2],lambda=l", naming="l")
+        self.refused("stencil", "nuli4", "--at", "lambda=1/2", naming="d")
+        self.refused("stencil", "nuli4", "--at", "d=[1,1,1],colour=1", naming="colour")
+        self.refused("stencil", "dd:l=2", "--at", "d=[1,1,1]", naming="dd:l=2")
+
+    def test_spectrum_of_a_junction(self):
+        d = self.twoscale_json("spectrum", "nuli4", "--at", "alpha=2,lambda=[1/3,1/2]")
+        self.assertEqual(d["lowest"], -3)
+        self.assertEqual(d["matrix"][2], ["0", "-1/32", "1/2", "9/16", "-1/32", "0", "0"])
+        self.assertIn(["x^2 - 7/24*x + 1/64", 1], d["characteristic_polynomial"]["factors"])
+        # Symbolic edge parameters: one answer for each side of 1/2.
+        d = self.twoscale_json("spectrum", "nuli4", "--at", "lambda=[l,m]")
+        self.assertEqual(len(d["branches"]), 3)
+        crease = self.twoscale_json("spectrum", "nuli4", "--at", "alpha=3,lambda=[1,0]")
+        halves = [e for e in crease["eigenvalues"] if e["exact"] == "1/2"]
+        self.assertEqual([(e["multiplicity"], e["geometric"]) for e in halves], [(2, 2)])
+        self.refused("spectrum", "nuli4", "--at", "alpha=-1", naming="-1")
+        self.refused("spectrum", "nuli4", "--at", "lambda=[1/2,2]", naming="2")
+        self.refused("spectrum", "nuli4", "--at", "lambda=1/2", naming="1/2")
+
+    def test_prove(self):
+        certificate = os.path.join(self.directory, "c.json")
+        d = self.twoscale_json("prove", "nuli4", "--certificate", certificate)
+        self.assertEqual([c["verdict"] for c in d["claims"]], ["proved"] * 3)
+        self.assertEqual(len(d["claims"][2]["exceptions"]), 1)
+        self.assertIn("valid", self.check(certificate))
+        with open(certificate, encoding="utf-8") as f:
+            text = f.read()
+        self.check(self.file("wrong.json", text.replace('"1/2"', '"1/3"', 1)), status=2)
+        self.refused("prove", "nuli4", "--claim", "symmetric", naming="symmetric")
+        self.refused("prove", "nuli4", "--claim", "reproduces=1,x,exp(t*x),exp(-t*x)", naming="exp(t*x)")
+
+    def test_show(self):
+        self.assertIn("lambda_0", self.twoscale("show", "nuli4"))
+        d = self.twoscale_json("show", "nuli6")
+        self.assertEqual(d["local_parameters"]["lambda"], {"offsets": [-1, 0, 1], "rest": "1/2"})
+        self.assertEqual(len(d["pieces"]), 4)
+
+    def test_refine(self):
+        data = self.file("p.csv", "x,y,lambda,d,tag\n0,0,0.5,1,0\n4,1,1,0.5,1\n4.2,3,0,2,1\n1,4,0.5,1,0\n")
+        rows = self.twoscale("refine", "nuli4", "--levels", "1", data).split()
+        self.assertEqual(rows[0], "x,y,lambda,d,tag")
+        self.assertEqual(rows[1::2], ["0,0,0.5,0.5,0", "4,1,1,0.25,1", "4.2,3,0,1,1", "1,4,0.5,0.5,0"])
+        self.assertEqual(rows[2], "1.9875,-0.0625,0.5,0.5,0")
+        for arguments in (("--open=space",), ("--open=linear",), ("--reparametrize",), ("--parametrization", "chordal"),
+                          ("--parametrization", "uniform", "--reparametrize")):
+            for scheme in ("nuli4", "nuli6", "lagrange4"):
+                rows = self.twoscale("refine", scheme, "--levels", "3", *arguments, data).split()[1:]
+                self.assertEqual(len(rows), 25 if arguments[0].startswith("--open") else 32)
+                self.assertNotIn("nan", " ".join(rows))
+        self.refused("refine", "nuli4", "--levels", "1", "--v0", "2", data, naming="nuli4")
+        self.refused("refine", "nuli4", "--levels", "1", "--parametrization", "odd", data, naming="odd")
+        self.refused("refine", "nuli4", "--levels", "1", "--open=given", data, naming="6")
+        self.refused("refine", "dd:l=2", "--levels", "1", "--reparametrize", data, naming="dd:l=2")
+        bad = self.file("b.csv", "x,y,lambda\n0,0,0.5\n1,0,2\n1,1,0\n")
+        self.refused("refine", "nuli4", "--levels", "1", bad, naming="row 2")
+        plain = self.file("q.csv", "x,y\n0,0\n1,0\n1,1\n")
+        self.refused("refine", "nuli4", "--levels", "1", "--parametrization", "given", plain, naming="d")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Schemes on knots against PARI/GP: stencils from the splines themselves, spectra of junctions, the paper's appendix."""
+
+import random
+import unittest
+from fractions import Fraction
+
+from support import ProgramTest, pari, to_pari
+
+# NULIFS of nuli (2.4)-(2.7), with the index of phi corrected, evaluated as written: t maps m to the knot t_m.
+SPLINES = r"""
+bs(t,n,m,x,s)={my(a,b);if(n==1,return(if(m==s,1,0)));if(m>s||m+n-1<s,return(0));a=t(m+n-1)-t(m);b=t(m+n)-t(m+1);if(a==0,0,(x-t(m))/a*bs(t,n-1,m,x,s))+if(b==0,0,(t(m+n)-x)/b*bs(t,n-1,m+1,x,s));}
+cf(t,n,rho,mu,i,j)={my(m=2*i+j,r=floor(m/2),phi=1,psi=1,y='y);for(l=r+mu-rho+1,r+mu,if(l!=i,phi*=(y-t(2*l))/(t(2*i)-t(2*l))));for(q=1,n-1,psi*=(y-t(m+q)));sum(k=0,rho-1,(-1)^k*k!*polcoef(phi,k,y)*(n-1-k)!*polcoef(psi,n-1-k,y))/(n-1)!;}
+u(t,n,rho,mu,i,x,s)={sum(j=-2*mu,-2*mu+2*rho-1,my(b=bs(t,n,2*i+j,x,s));if(b==0,0,b*cf(t,n,rho,mu,i,j)));}
+ell(t,n,v,i,x,s)={my(N=n-3,A,B);A=matrix(N,N,r,c,bs(t,n,2*i-2*v+c-1,t(2*(i-v+r)),2*(i-v+r)));B=A;for(c=1,N,B[v,c]=bs(t,n,2*i-2*v+c-1,x,s));matdet(B)/matdet(A);}
+v(t,n,rho,mu,i,x,s)={if(n==3,return(u(t,n,rho,mu,i,x,s)));my(tau=min(mu,n-3),g=mu-tau+1);ell(t,n,tau,i,x,s)+u(t,n,rho,g,i,x,s)-sum(k=1,n\2+rho-1,my(q=i-g+k,w=u(t,n,rho,g,i,t(2*q),2*q));if(w==0,0,w*ell(t,n,tau,q,x,s)));}
+knots(f,d,l)={my(D=e->if(e>=f&&e<f+#d,d[e-f+1],1),L=e->if(e>=f&&e<f+#l,l[e-f+1],1/2),X=i->if(i>=0,sum(k=0,i-1,D(k)),-sum(k=i,-1,D(k))));m->my(i=floor(m/2));if(m%2==0,X(i),X(i)+L(i)*D(i));}
+rule(n,rho,mu,f,d,l)={my(t=knots(f,d,l));vector(2*mu,h,v(t,n,rho,mu,h-mu,t(2)/2,if(t(1)>=t(2)/2,0,1)));}
+"""
+
+
+def brackets(values):
+    return "[" + ",".join(str(v) for v in values) + "]"
+
+
+class Stencils(ProgramTest):
+    def test_against_the_splines(self):
+        source = random.Random(3)
+        for scheme, order, mu in (("nuli4", 3, 2), ("nuli6", 4, 3)):
+            code, ours = SPLINES, []
+            for _ in range(12):
+                d = [Fraction(source.randint(1, 20), source.randint(1, 9)) for _ in range(2 * mu - 1)]
+                # 1/2 and the neighbourhood of 0 and 1; 0 and 1 themselves are limits, see tests/symbolic.
+                lam = [source.choice([Fraction(1, 2), Fraction(source.randint(1, 29), 30)]) for _ in range(2 * mu - 1)]
+                own = lam[mu - 1:mu] if mu == 2 else lam[1:4]
+                d_text = brackets(d)
+                document = self.twoscale_json("stencil", scheme, "--at", f"d={d_text},lambda={brackets(own)}")
+                self.assertEqual(document["lowest"], 1 - mu)
+                ours.append(brackets(document["coefficients"]))
+                code += f"print(rule({order},{order},{mu},{1 - mu},{d_text},{brackets(lam)})=={ours[-1]});\n"
+            self.assertEqual(pari(code).split(), ["1"] * 12)
+
+    def test_appendix(self):
+        """Coefficients a_{i,j} of v_{4,3,i} in B-splines. The labels of lambda are one too large as printed; with them
+        put right, -6, -5, -3, -2, -1, 1, 2 hold; -4 and 0 follow from their neighbours as below."""
+        code = SPLINES + r"""
+d=vector(19,k,(1+random(9))/(1+random(7))); l=vector(19,k,(1+random(8))/10); t=knots(-9,d,l);
+u6(j)=if(j<-6||j>1,0,cf(t,4,4,3,0,j));
+at(q)=bs(t,4,2*q-2,t(2*q),2*q);
+a(j)=u6(j)+if(j%2,0,my(q=(j+2)/2);((q==0)-u(t,4,4,3,0,t(2*q),2*q))/at(q));
+E(e)=d[e+10];
+P(j)=l[j-1+10];
+"""
+        # printed entries, E(e) = d_{i+e}, P(j) = printed lambda_{i+j}
+        printed = {
+            -6: "-E(-3)*E(-2)*(-1+P(-2))^2*(E(-3)+E(-2)*P(-1))^2/(3*E(-1)*(E(-2)+E(-1))*(E(-3)+E(-2)+E(-1))"
+                "*(E(-2)*(-2+P(-2))*P(-1)+E(-3)*(-1+P(-2))*(1+P(-1))))",
+            -5: "-E(-2)^2*(E(-3)+E(-2)*P(-1))/(3*E(-1)*(E(-2)+E(-1))*(E(-3)+E(-2)+E(-1)))",
+            -3: "(E(-1)*(E(0)+E(-1))*P(0)+E(-2)*(E(0)+E(-1)+E(0)*P(0)))/(3*E(0)*(E(-2)+E(-1)))",
+            -1: "(E(0)*(E(0)+E(1)-E(0)*P(1))+E(-1)*(E(0)+2*E(1)-(E(0)+E(1))*P(1)))/(3*E(-1)*(E(0)+E(1)))",
+            1: "E(1)^2*(-E(2)+E(1)*(-1+P(2)))/(3*E(0)*(E(0)+E(1))*(E(0)+E(1)+E(2)))",
+            2: "-E(1)*E(2)*(E(2)-E(1)*(-1+P(2)))^2*P(3)^2/(3*E(0)*(E(0)+E(1))*(E(0)+E(1)+E(2))"
+               "*(E(2)*(-2+P(2))*P(3)+E(1)*(-1+P(2))*(1+P(3))))",
+        }
+        for j, text in printed.items():
+            code += f"print(a({j})=={text});\n"
+        code += r"""
+x2=E(-2);x1=E(-1);y0=E(0);y1=E(1);m=P(0);k=P(1);
+den=3*y0*x1*(x2+x1)*(y0+y1)*(y0*(-2+m)*k+x1*(-1+m)*(1+k));
+one=x2*(y0^3*(y0+y1)*(-2+m)*k^2-x1^3*(-1+m)^2*(2*y0+y1+(y0+y1)*k)+y0^2*x1*k*((y0+y1)*(-5+m+m^2)-(y1*(1+(-3+m)*m)+y0*(2+m*(-5+2*m)))*k)-y0*x1^2*(-1+m)*(-(y0+y1)*(2+m)+(y1*(-4+m)+3*y0*(-2+m))*k+(y0+y1)*m*k^2));
+two=-x1*(-y0^3*(y0+y1)*(-3+m)*k^2+x1^3*(-1+m)^2*(2*y0+y1+(y0+y1)*k)+y0^2*x1*k*(-(y0+y1)*(-5+m+m^2)+(y1*(3+(-5+m)*m)+y0*(4+m*(-7+2*m)))*k)+y0*x1^2*(-1+m)*(-(y0+y1)*(2+m)+(y1*(-4+m)+3*y0*(-2+m))*k+(y0+y1)*(-1+2*m)*k^2));
+print(a(-2)==(one+two)/den);
+w(x,y,k,m)={my(A=k*x,B=m*y);[B^2*(A+y),A^2*(B+x),A*B*(x+y)+x*y*(A+B)];}
+g=w(E(-2),E(-1),1-P(-1),P(0)); print(a(-4)==-(g[1]*a(-5)+g[2]*a(-3))/g[3]);
+g=w(E(1),E(0),P(2),1-P(1)); print(a(0)==-(g[1]*a(1)+g[2]*a(-1))/g[3]);
+"""
+        self.assertEqual(pari(code).split(), ["1"] * 9)
+
+
+class Junctions(ProgramTest):
+    def test_characteristic_polynomials(self):
+        for scheme, at in (("nuli4", "alpha=2,lambda=[1/3,1/2]"), ("nuli4", "alpha=5/3,lambda=[1,1/5]"),
+                           ("nuli6", "alpha=3/4,lambda=[2/3,1/4]"), ("lagrange4", "alpha=4")):
+            d = self.twoscale_json("spectrum", scheme, "--at", at)
+            rows = "[" + ";".join(",".join(row) for row in d["matrix"]) + "]"
+            factors = "*".join(f"({to_pari(f)})^{m}" for f, m in d["characteristic_polynomial"]["factors"])
+            self.assertEqual(pari(f"print(charpoly({rows}, 'x) == {factors})"), "1")
+
+
+if __name__ == "__main__":
+    unittest.main()
