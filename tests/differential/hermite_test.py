@@ -67,9 +67,11 @@ class Algebra(unittest.TestCase):
         """Lemma 2: the fake lengths of the halves against the halves of the fake interval."""
         def angle_middle(a, b):  # tan of the mean angle
             return sp.tan((sp.atan(a) + sp.atan(b)) / 2)
+        def taylor(f):
+            return sum(sp.simplify(sp.diff(f, H, k).subs(H, 0)) * H**k / sp.factorial(k) for k in range(3))
         fake = S + W * H
-        middle = sp.series(angle_middle(S, S + H), H, 0, 3).removeO()
-        fake_middle = doubled(sp.series(angle_middle(S, fake), H, 0, 3).removeO())
+        middle = taylor(angle_middle(S, S + H))
+        fake_middle = doubled(taylor(angle_middle(S, fake)))
         left = doubled(S + W * (middle - S)) - doubled(S)
         right = doubled(middle + W * (S + H - middle)) - doubled(middle)
         y_left = fake_middle - doubled(S)
