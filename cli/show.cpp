@@ -11,6 +11,8 @@ namespace twoscale::cli {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // S_m(z) = 1 + .. + z^{m-1}: how often it divides the symbol, and the cofactor.
 std::pair<unsigned, Laurent> smoothing_factors(Laurent a, int arity) {
   const Laurent s(0, std::vector<RationalFunction>(static_cast<size_t>(arity), RationalFunction(1)));
@@ -109,8 +111,7 @@ std::string show_local_text(const Scheme& s) {
   return out.str();
 }
 
-std::string show_local_json(const Scheme& s) {
-  using Json = nlohmann::ordered_json;
+Json head_json(const Scheme& s) {
   Json j;
   j["format"] = "twoscale/scheme";
   j["version"] = 1;
@@ -119,6 +120,11 @@ std::string show_local_json(const Scheme& s) {
   j["source"] = s.source;
   j["arity"] = s.arity;
   j["p"] = s.shift.to_string();
+  return j;
+}
+
+std::string show_local_json(const Scheme& s) {
+  Json j = head_json(s);
   Json local = Json::object();
   for (const auto& p : s.parameters)
     if (p.scope == Parameter::Scope::local)
@@ -169,15 +175,7 @@ std::string show_text(const Scheme& s) {
 }
 
 std::string show_json(const Scheme& s) {
-  using Json = nlohmann::ordered_json;
-  Json j;
-  j["format"] = "twoscale/scheme";
-  j["version"] = 1;
-  j["scheme"] = s.id;
-  j["title"] = s.title;
-  j["source"] = s.source;
-  j["arity"] = s.arity;
-  j["p"] = s.shift.to_string();
+  Json j = head_json(s);
   Json variables = Json::object();
   Json constants = Json::array();
   Json local = Json::object();

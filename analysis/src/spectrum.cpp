@@ -354,8 +354,12 @@ NecessaryConditions necessary_conditions(const Spectrum& s, const std::vector<Nu
   return r;
 }
 
-// Factors, eigenvectors and eigenvalues of s.matrix; `numeric` points into `roots`.
-void decompose(Spectrum& s, std::vector<std::unique_ptr<Roots>>& roots, std::vector<Numeric>& numeric) {
+// Factors, eigenvectors and eigenvalues of the matrix; `numeric` points into `roots`.
+Spectrum decomposed(LocalMatrix matrix, int arity, std::vector<std::unique_ptr<Roots>>& roots,
+                    std::vector<Numeric>& numeric) {
+  Spectrum s;
+  s.arity = arity;
+  s.matrix = std::move(matrix);
   const auto occurs = [&](const std::string& name) {
     for (std::size_t i = 0; i < s.matrix.entries.rows(); ++i)
       for (std::size_t j = 0; j < s.matrix.entries.columns(); ++j) {
@@ -427,6 +431,7 @@ void decompose(Spectrum& s, std::vector<std::unique_ptr<Roots>>& roots, std::vec
   }
   for (const auto& n : numeric) s.eigenvalues.push_back(n.value);
   s.eigenvalues.insert(s.eigenvalues.end(), symbolic.begin(), symbolic.end());
+  return s;
 }
 
 }  // namespace
@@ -472,22 +477,15 @@ Spectrum spectrum(const Laurent& mask, int arity) {
 }
 
 Spectrum spectrum(LocalMatrix matrix, int arity) {
-  Spectrum s;
-  s.arity = arity;
-  s.matrix = std::move(matrix);
   std::vector<std::unique_ptr<Roots>> roots;
   std::vector<Numeric> numeric;
-  decompose(s, roots, numeric);
-  return s;
+  return decomposed(std::move(matrix), arity, roots, numeric);
 }
 
 Spectrum spectrum(LocalMatrix matrix, int arity, const std::vector<RationalFunction>& knots, long order) {
-  Spectrum s;
-  s.arity = arity;
-  s.matrix = std::move(matrix);
   std::vector<std::unique_ptr<Roots>> roots;
   std::vector<Numeric> numeric;
-  decompose(s, roots, numeric);
+  Spectrum s = decomposed(std::move(matrix), arity, roots, numeric);
   for (long n = 0; n < order; ++n) {
     const SpectralFactor* f = factor_of_power(s, n);
     if (f == nullptr || f->multiplicity != 1) continue;

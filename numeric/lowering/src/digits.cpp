@@ -113,50 +113,9 @@ kernels::PointSet with_digits(
       }
     }
     const std::vector<Real> fine = refine(in, {digits, bits});
-    // Below this size a number that cannot be told from 0 is taken for it.
-    Ball least;
-    for (const Real& x : fine) {
-      arf_t size;
-      arf_init(size);
-      arb_get_abs_ubound_arf(size, x.value.raw(), 30);
-      if (arf_cmp(size, arb_midref(least.raw())) > 0) arf_set(arb_midref(least.raw()), size);
-      arf_clear(size);
-    }
-    arb_div(least.raw(), least.raw(), Ball(Rational(10).pow(2 * wanted), 64).raw(), 64);
-
-    out.tokens.clear();
-    out.values.clear();
-    DecimalRounder rounder(wanted);
-    Decimal decimal;
-    bool done = true;
-    for (const Real& x : fine) {
-      if (arb_is_exact(x.value.raw())) {
-        decimal = rounded(to_rational(arb_midref(x.value.raw())) / scale, wanted);
-      } else if (x.value.contains_zero()) {
-        arf_t size;
-        arf_init(size);
-        arb_get_abs_ubound_arf(size, x.value.raw(), 30);
-        const bool tiny = arf_cmp(size, arb_midref(least.raw())) < 0;
-        arf_clear(size);
-        if (!tiny) {
-          done = false;
-          break;
-        }
-        decimal.text = "0";
-      } else {
-        Ball y;
-        arb_div_fmpz(y.raw(), x.value.raw(), scale.numerator(), bits);
-        if (!rounder.round(y, decimal)) {
-          done = false;
-          break;
-        }
-      }
-      const auto value = kernels::parse_double(decimal.text);
-      if (!value) bad_input("a refined number does not fit a double", decimal.text.substr(0, 40));
-      out.tokens.push_back(decimal.text);
-      out.values.push_back(*value);
-    }
-    if (done) return out;
+    std::vector<const Ball*> numbers;
+    for (const Real& x : fine) numbers.push_back(&x.value);
+    if (round_all(numbers, scale, bits, wanted, out)) return out;
     if (attempt >= most_attempts || wanted + guard > 10000)
       throw Error(Error::Kind::undecided, "cannot decide the last digit of a refined number");
   }

@@ -166,44 +166,6 @@ std::vector<T> in_columns(const kernels::HermiteData<T>& data, const Layout& at,
   return values;
 }
 
-// Decimals with `digits` correct digits; false if one is not decided.
-bool round_all(const std::vector<Real>& values, long digits, kernels::PointSet& out) {
-  Ball least;
-  for (const Real& x : values) {
-    arf_t size;
-    arf_init(size);
-    arb_get_abs_ubound_arf(size, x.value.raw(), 30);
-    if (arf_cmp(size, arb_midref(least.raw())) > 0) arf_set(arb_midref(least.raw()), size);
-    arf_clear(size);
-  }
-  arb_div(least.raw(), least.raw(), Ball(Rational(10).pow(2 * digits), 64).raw(), 64);
-  DecimalRounder rounder(digits);
-  Decimal decimal;
-  out.tokens.clear();
-  out.values.clear();
-  for (const Real& x : values) {
-    if (!x.value.is_finite()) return false;
-    if (arb_is_exact(x.value.raw())) {
-      decimal = rounded(to_rational(arb_midref(x.value.raw())), digits);
-    } else if (x.value.contains_zero()) {
-      arf_t size;
-      arf_init(size);
-      arb_get_abs_ubound_arf(size, x.value.raw(), 30);
-      const bool tiny = arf_cmp(size, arb_midref(least.raw())) < 0;
-      arf_clear(size);
-      if (!tiny) return false;
-      decimal.text = "0";
-    } else if (!rounder.round(x.value, decimal)) {
-      return false;
-    }
-    const auto value = kernels::parse_double(decimal.text);
-    if (!value) bad_input("a refined number does not fit a double", decimal.text.substr(0, 40));
-    out.tokens.push_back(decimal.text);
-    out.values.push_back(*value);
-  }
-  return true;
-}
-
 }  // namespace
 
 HermiteResult refine_hermite(const Scheme& scheme, const std::optional<ExactReal>& w_given,
@@ -273,8 +235,10 @@ HermiteResult refine_hermite(const Scheme& scheme, const std::optional<ExactReal
     const kernels::HermiteCurve<Real> curve(read_data<Real>(points, in, n, options.closed, read),
                                             Real(w->enclose(bits), bits), tension);
     if (has_pole) result.first_pole = curve.first_pole();
-    if (round_all(in_columns(curve.refined(options.levels), out, columns), options.digits, result.points))
-      return result;
+    const std::vector<Real> fine = in_columns(curve.refined(options.levels), out, columns);
+    std::vector<const Ball*> numbers;
+    for (const Real& x : fine) numbers.push_back(&x.value);
+    if (round_all(numbers, 1, bits, options.digits, result.points)) return result;
   }
   throw Error(Error::Kind::undecided, "cannot decide the last digit of a refined number");
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "twoscale/kernels/number_text.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/integer.hpp"
 
@@ -316,6 +317,43 @@ Rational exact_decimal(const std::string& text) {
   Rational r(n.v);
   r *= Rational(10).pow(exponent);
   return negative ? -r : r;
+}
+
+bool round_all(const std::vector<const Ball*>& numbers, const Rational& scale, long bits, long digits,
+               kernels::PointSet& out) {
+  const auto size = [](const Ball& x) {
+    Ball bound;
+    arb_get_abs_ubound_arf(arb_midref(bound.raw()), x.raw(), 30);
+    return bound;
+  };
+  // Below this size a number that cannot be told from 0 is taken for it.
+  Ball least;
+  for (const Ball* x : numbers)
+    if (const Ball s = size(*x); arf_cmp(arb_midref(s.raw()), arb_midref(least.raw())) > 0) least = s;
+  arb_div(least.raw(), least.raw(), Ball(Rational(10).pow(2 * digits), 64).raw(), 64);
+
+  out.tokens.clear();
+  out.values.clear();
+  DecimalRounder rounder(digits);
+  Decimal decimal;
+  for (const Ball* x : numbers) {
+    if (!x->is_finite()) return false;
+    if (arb_is_exact(x->raw())) {
+      decimal = rounded(to_rational(arb_midref(x->raw())) / scale, digits);
+    } else if (x->contains_zero()) {
+      if (arf_cmp(arb_midref(size(*x).raw()), arb_midref(least.raw())) >= 0) return false;
+      decimal.text = "0";
+    } else {
+      Ball y;
+      arb_div_fmpz(y.raw(), x->raw(), scale.numerator(), bits);
+      if (!rounder.round(y, decimal)) return false;
+    }
+    const auto value = kernels::parse_double(decimal.text);
+    if (!value) bad_input("a refined number does not fit a double", decimal.text.substr(0, 40));
+    out.tokens.push_back(decimal.text);
+    out.values.push_back(*value);
+  }
+  return true;
 }
 
 }  // namespace twoscale::lowering

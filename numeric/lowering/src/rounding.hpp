@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "twoscale/kernels/points_io.hpp"
 #include "twoscale/symbolic/ball.hpp"
 #include "twoscale/symbolic/rational.hpp"
 
@@ -49,5 +50,11 @@ Rational exact_decimal(const std::string& text);
 
 // The rational number of a finite arf.
 Rational to_rational(const arf_t x);
+
+// numbers/scale (scale a positive integer) with `digits` correct significant digits as `values` and `tokens` of `out`;
+// false if a digit is not decided at this precision. A number that
+// cannot be told from 0 with twice the digits (smaller than 10^(-2 digits) times the largest one) becomes 0.
+bool round_all(const std::vector<const Ball*>& numbers, const Rational& scale, long bits, long digits,
+               kernels::PointSet& out);
 
 }  // namespace twoscale::lowering
