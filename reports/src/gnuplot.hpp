@@ -15,6 +15,6 @@ std::string image_of(const std::string& script);
 std::string terminal(ImageFormat format, int width, int height);
 
 // A text in single quotes, without control characters.
-std::string quoted(const std::string& text);
+std::string gnuplot_string(const std::string& text);
 
 }  // namespace twoscale::reports

@@ -65,11 +65,11 @@ std::size_t letters(const std::string& s) {
 std::string title_line(const Picture& p, ImageFormat format) {
   const auto fitting = static_cast<std::size_t>(p.width / 7);  // at the font's own size
   const std::size_t length = letters(p.title);
-  if (length <= fitting) return quoted(p.title);
+  if (length <= fitting) return gnuplot_string(p.title);
   const double size = format == ImageFormat::pdf ? 9 : 12;
   const double scale = std::max(0.5, static_cast<double>(fitting) / static_cast<double>(length));
   const std::string text = length <= 2 * fitting ? p.title : p.title.substr(0, 2 * fitting - 3) + "...";
-  return quoted(text) + fmt::format(" font 'sans-serif,{:.1f}'", size * scale);
+  return gnuplot_string(text) + fmt::format(" font 'sans-serif,{:.1f}'", size * scale);
 }
 
 // The legend below the axes: entries a row, and rows.
@@ -149,8 +149,8 @@ std::string plane(const Picture& p, int left, int right, int top, int bottom) {
 std::string labels_of(const Frame& f) {
   std::string s = "unset border\nunset tics\nunset grid\n";
   for (const auto& l : f.labels)
-    s += fmt::format("set label {} at {:.9g},{:.9g} {} offset 0,{} textcolor rgb '#4b5563'\n", quoted(l.text), l.x, l.y,
-                     l.side, l.text[0] == 'z' ? "0.7" : "-0.9");
+    s += fmt::format("set label {} at {:.9g},{:.9g} {} offset 0,{} textcolor rgb '#4b5563'\n", gnuplot_string(l.text),
+                     l.x, l.y, l.side, l.text[0] == 'z' ? "0.7" : "-0.9");
   return s;
 }
 
@@ -170,7 +170,7 @@ std::string terminal(ImageFormat format, int width, int height) {
   return {};
 }
 
-std::string quoted(const std::string& text) {
+std::string gnuplot_string(const std::string& text) {
   std::string s = "'";
   for (char c : text) {
     if (c == '\'') s += '\'';
@@ -211,8 +211,8 @@ std::string gnuplot_script(const Picture& picture, ImageFormat format) {
   s += plane(p, left, right, top, bottom);
   if (space) s += labels_of(frame);
   if (!p.title.empty()) s += "set title " + title_line(p, format) + "\n";
-  if (!p.x_label.empty()) s += "set xlabel " + quoted(p.x_label) + " offset 0,0.4\n";
-  if (!p.y_label.empty()) s += "set ylabel " + quoted(p.y_label) + "\n";
+  if (!p.x_label.empty()) s += "set xlabel " + gnuplot_string(p.x_label) + " offset 0,0.4\n";
+  if (!p.y_label.empty()) s += "set ylabel " + gnuplot_string(p.y_label) + "\n";
   if (key.rows == 0)
     s += "unset key\n";
   else
@@ -225,7 +225,7 @@ std::string gnuplot_script(const Picture& picture, ImageFormat format) {
   for (std::size_t i = 0; i < p.lines.size(); ++i) {
     const Line& l = p.lines[i];
     s += fmt::format("{} $line{} {} {}", i == 0 ? "" : ",", i, look(l),
-                     l.title.empty() ? "notitle" : "title " + quoted(l.title));
+                     l.title.empty() ? "notitle" : "title " + gnuplot_string(l.title));
   }
   return s + "\n";
 }

@@ -101,7 +101,7 @@ std::string gnuplot_script(const SurfacePicture& picture, ImageFormat format) {
                      : "set palette defined (0 '#2f5fa8', 0.35 '#3f9fc0', 0.65 '#7cc4a4', 1 '#f0d58a')\n"
                        "set pm3d depthorder border lc rgb '#1f2937' lw 0.25\n"
                        "set pm3d lighting primary 0.45 specular 0.15\n";
-  if (!picture.title.empty()) out += "set title " + quoted(picture.title) + "\n";
+  if (!picture.title.empty()) out += "set title " + gnuplot_string(picture.title) + "\n";
   out += "$surface << END\n";
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
