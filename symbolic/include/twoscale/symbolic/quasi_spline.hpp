@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exponential quasi-splines (jeong2013): exponential B-splines times a short factor, so that they reproduce more.
 //
-//   paper (jeong2013)                                      here
-//   Lambda, N                                              space, its dimension (closed under sign, so that N odd has a
-//   0) Lambda°, 2M                                            reproduced beta_N of (3), centred on 0 or -1/2 beta,
-//   centred on 0 (N even: primal) or 1/2 (N odd: dual) gamma_n = 2 cosh(lambda_n/2^{k+1})                     nodes; x
-//   = z + 1/z q_M of (24)                                            q beta_{j,k} of (19) value of z^{-p} beta(z) at
-//   z_j = e^{-lambda_j/2^{k+1}}, p = 0 or 1/2
+//   paper (jeong2013)                     here
+//   Lambda, N                             space, its dimension (closed under sign, so N odd has a 0)
+//   Lambda°, 2M                           reproduced
+//   beta_N of (3), centred on 0 or -1/2   beta, centred on 0 (N even: primal) or 1/2 (N odd: dual)
+//   gamma_n = 2 cosh(lambda_n/2^{k+1})    nodes; x = z + 1/z
+//   q_M of (24)                           q
+//   beta_{j,k} of (19)                    value of z^{-p} beta(z) at z_j = e^{-lambda_j/2^{k+1}}, p = 0 or 1/2
 //
 // With S(x) = 2^{1-N} prod_{n <= N/2} (x + gamma_n): beta = S(x) for N even, z^{1/2} (z^{1/2} + z^{-1/2}) S(x) for N
 // odd. The scheme reproduces Lambda° iff a(z) - 2 z^p vanishes at the z_j as often as lambda_j stands in Lambda° (the
