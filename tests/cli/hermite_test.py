@@ -3,26 +3,14 @@
 
 import math
 import os
-import tempfile
 import unittest
 
 import mpmath
 
-from support import ProgramTest, run
+from support import FilesTest, ProgramTest, run
 
 
-class Files(ProgramTest):
-    def setUp(self):
-        self.directory = tempfile.TemporaryDirectory()
-        self.addCleanup(self.directory.cleanup)
-
-    def path(self, name, text=None):
-        path = os.path.join(self.directory.name, name)
-        if text is not None:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text)
-        return path
-
+class Files(FilesTest):
     def refined(self, scheme, text, *options):
         out = self.twoscale("refine", scheme, "--quiet", *options, self.path("in.csv", text)).splitlines()
         return out[0], [tuple(line.split(",")) for line in out[1:]]

@@ -8,28 +8,16 @@ import math
 import os
 import re
 import subprocess
-import tempfile
 import unittest
 
-from support import ProgramTest, run
+from support import FilesTest, run
 
 MIXED = "interpolating:family=mixed,l=3"
 HARMONIC = "interpolating:family=harmonic,l=3"
 RESONANT = "interpolating:family=resonant,l=3"
 
 
-class Files(ProgramTest):
-    def setUp(self):
-        self.directory = tempfile.TemporaryDirectory()
-        self.addCleanup(self.directory.cleanup)
-
-    def path(self, name, text=None):
-        path = os.path.join(self.directory.name, name)
-        if text is not None:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text)
-        return path
-
+class Files(FilesTest):
     def points(self, name, rows):
         return self.path(name, "".join(",".join(map(repr, row)) + "\n" for row in rows))
 

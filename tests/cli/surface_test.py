@@ -2,12 +2,10 @@
 """Grids in `refine` and `plot surface`, `surface` descriptions, from outside."""
 
 import math
-import os
 import re
-import tempfile
 import unittest
 
-from support import ProgramTest, run
+from support import FilesTest, run
 
 KLEIN = """
 x = "(3+cos(pi*u/4)*sin(pi*v/2)-sin(pi*u/4)*sin(pi*v))*cos(pi*u/2)"
@@ -22,18 +20,7 @@ count = 8
 """
 
 
-class Grids(ProgramTest):
-    def setUp(self):
-        self.directory = tempfile.TemporaryDirectory()
-        self.addCleanup(self.directory.cleanup)
-
-    def path(self, name, text=None):
-        path = os.path.join(self.directory.name, name)
-        if text is not None:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text)
-        return path
-
+class Grids(FilesTest):
     def torus(self, rows=8, columns=6):
         text = f"# grid {rows}x{columns}\nx,y,z\n"
         for i in range(rows):

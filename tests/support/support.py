@@ -9,6 +9,7 @@ import json
 import os
 import re
 import subprocess
+import tempfile
 import unittest
 
 
@@ -78,3 +79,19 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(done.returncode, status,
                          f"{name} {' '.join(map(str, arguments))}\nstdout: {done.stdout}\nstderr: {done.stderr}")
         return done.stdout
+
+
+class FilesTest(ProgramTest):
+    """With a directory of its own."""
+
+    def setUp(self):
+        self.directory = tempfile.TemporaryDirectory()
+        self.addCleanup(self.directory.cleanup)
+
+    def path(self, name, text=None):
+        """The path of a file there, written first if there is a text."""
+        path = os.path.join(self.directory.name, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        return path
