@@ -3,7 +3,7 @@
 // table of numbers of points a closed curve can start from.
 #include <fmt/format.h>
 
-#include "page.hpp"
+#include "sections.hpp"
 #include "twoscale/analysis/prove.hpp"
 #include "twoscale/reports/curves.hpp"
 #include "twoscale/reports/html.hpp"
@@ -12,6 +12,14 @@
 #include "twoscale/symbolic/interpolatory.hpp"
 
 namespace twoscale::reports::romani2009 {
+
+const std::vector<SixPoint>& six_point_schemes() {
+  static const std::vector<SixPoint> list = {
+      {"mixed", "4.1", "conics and cubics", "interpolating:family=mixed,l=3", {"-1/2", "1/2", "1", "10"}},
+      {"harmonic", "4.2", "second-order curves", "interpolating:family=harmonic,l=3", {"-1/4", "1/2", "1", "10"}},
+      {"resonant", "4.3", "spirals", "interpolating:family=resonant,l=3", {"-1/2", "1/2", "1", "10"}}};
+  return list;
+}
 
 namespace {
 
@@ -52,15 +60,9 @@ std::string singular(const Scheme& scheme, nlohmann::ordered_json& numbers) {
   numbers = nlohmann::ordered_json::array();
   const SingularSet set = singular_set(*scheme.space);
   if (set.values.empty()) return "<p>No singular v⁰: every step exists for every v⁰ &gt; −1.</p>\n";
-  std::string s =
-      "<table class=\"narrow\"><thead><tr><th>singular v⁰</th><th>decimal</th><th>the step that "
-      "fails</th></tr></thead><tbody>\n";
-  for (const auto& v : set.values) {
-    const std::string decimal = parse_real(v.exact()).decimal(6);
-    s += fmt::format("<tr><td>{}</td><td>{}</td><td>k = {}</td></tr>\n", v0_html(v.exact()), decimal, v.level);
-    numbers.push_back({{"exact", v.exact()}, {"decimal", decimal}, {"level", v.level}});
-  }
-  return s + "</tbody></table>\n";
+  for (const auto& v : set.values)
+    numbers.push_back({{"exact", v.exact()}, {"decimal", parse_real(v.exact()).decimal(6)}, {"level", v.level}});
+  return singular_table(set);
 }
 
 Picture basic_picture(const Scheme& scheme, const SixPoint& which) {
@@ -78,30 +80,14 @@ Picture basic_picture(const Scheme& scheme, const SixPoint& which) {
   return p;
 }
 
-std::string article(const SixPoint& which, const Options& options, Part& part, Summary& summary) {
+std::string article(const SixPoint& which, const PaperOptions& options, Part& part) {
   const Scheme scheme = make_scheme(which.scheme);
   const analysis::Proof proof = analysis::prove(scheme, analysis::default_claims(scheme));
-  const std::string file = std::string("certificates/") + which.name + ".json";
-  std::string checked = "No certificate: nothing was decided.";
-  if (!proof.certificate.empty()) {
-    part.files.emplace_back(file, proof.certificate);
-    checked = fmt::format("<a href=\"{}\">Certificate</a>", file);
-    if (options.checker) {
-      const CheckerVerdict v = options.checker(proof.certificate);
-      summary.all_certificates_valid = summary.all_certificates_valid && v.valid;
-      std::string lines;
-      for (const auto& line : v.lines) lines += escaped(line) + "\n";
-      checked += fmt::format(
-          ": the independent checker says <strong class=\"{0}\">{1}</strong>.</p><details><summary>What the checker "
-          "verified, and what it trusts</summary><pre>{2}</pre></details><p>",
-          v.valid ? "proved" : "refuted", v.valid ? "valid" : "refused", lines);
-    }
-  }
+  const std::string checked = proof.certificate.empty()
+                                  ? "<p>No certificate: nothing was decided.</p>\n"
+                                  : certificate_html(part, which.name, proof.certificate, options.checker);
   nlohmann::ordered_json singular_json;
   const std::string singular_html = singular(scheme, singular_json);
-  const std::string picture =
-      embedded(part, std::string("basic-") + which.name, std::string("Basic limit functions, ") + which.name,
-               basic_picture(scheme, which));
   nlohmann::ordered_json j;
   j["scheme"] = which.scheme;
   for (const auto& d : proof.decisions)
@@ -115,22 +101,31 @@ std::string article(const SixPoint& which, const Options& options, Part& part, S
   s += "<div class=\"split\"><div>" + formulas(scheme);
   s += "<p class=\"limit\">" + limits(scheme) + "</p>\n<details><summary>The same as text</summary><pre>" +
        escaped(plain_formulas(scheme)) + "</pre></details></div>\n";
-  s += "<figure>" + picture + "<figcaption>Basic limit functions</figcaption></figure></div>\n";
-  s += verdict_table(proof.decisions) + "<p>" + checked + "</p>\n" + singular_html;
-  s += "<pre class=\"shell\">" + command("twoscale derive " + name) +
-       command("twoscale prove " + name + " --certificate " + file) + command("twoscale-check " + file) +
-       command("twoscale table " + name + " --v0 " + which.basic_v0[1] + " --levels 10 --digits 30") +
-       "</pre>\n</article>\n";
+  const std::string basic = std::string(" --v0=") + which.basic_v0[1];
+  s += figure(part,
+              {std::string("basic-") + which.name,
+               std::string("Basic limit functions, section ") + which.section,
+               "",
+               {"twoscale plot basic " + name + basic + " -o basic.svg"},
+               false},
+              basic_picture(scheme, which)) +
+       "</div>\n";
+  s += verdict_table(proof.decisions) + checked + singular_html;
+  const std::string file = std::string("certificates/") + which.name + ".json";
+  s += commands_html({"twoscale derive " + name, "twoscale prove " + name + " --certificate " + file,
+                      "twoscale-check " + file, "twoscale table " + name + basic + " --levels 10 --digits 30"}) +
+       "</article>\n";
   return s;
 }
 
 }  // namespace
 
-Part scheme_part(const Options& options, Summary& summary) {
-  Part part;
+Section scheme_section(const PaperOptions& options) {
+  Section section{"schemes", "Schemes", "The three 6-point schemes", {}};
+  Part& part = section.part;
   part.numbers = nlohmann::ordered_json::array();
   part.html =
-      "<section id=\"schemes\">\n<h2>The three 6-point schemes</h2>\n<p>All three are "
+      "<p>All three are "
       "<math><mrow><msubsup><mi>p</mi><mrow><mn>2</mn><mi>j</mi></mrow><mrow><mi>k</mi><mo>+</mo><mn>1</mn></mrow></"
       "msubsup><mo>=</mo>"
       "<msubsup><mi>p</mi><mi>j</mi><mi>k</mi></msubsup></mrow></math>, "
@@ -155,24 +150,18 @@ Part scheme_part(const Options& options, Summary& summary) {
       "not examined on this page.</p>\n";
   for (const SixPoint& s : six_point_schemes()) {
     if (options.progress) options.progress(std::string("prove ") + s.scheme);
-    part.html += article(s, options, part, summary);
+    part.html += article(s, options, part);
   }
-  part.html += "</section>\n";
-  return part;
+  return section;
 }
 
-Part count_part() {
+Section count_section() {
   constexpr long least = 3, greatest = 12;
-  const char* const schemes[] = {"tension4",
-                                 "interpolating:family=mixed,l=3",
-                                 "interpolating:family=resonant,l=3",
-                                 "interpolating:family=harmonic,l=3",
-                                 "interpolating:space=\"1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)\"",
-                                 "interpolating:family=harmonic,l=4"};
-  Part part;
+  Section section{"counts", "Numbers of points", "From how many points can a closed curve start?", {}};
+  Part& part = section.part;
   part.numbers = nlohmann::ordered_json::array();
   part.html =
-      "<section id=\"counts\">\n<h2>From how many points can a closed curve start?</h2>\n<p>A closed curve of period "
+      "<p>A closed curve of period "
       "2π sampled at N points has v⁰ = "
       "cos(2π/N). Where that value is singular, the step named does not exist and N is impossible; this is decided "
       "exactly, from the "
@@ -180,14 +169,14 @@ Part count_part() {
       "class=\"grid\"><thead><tr><th>scheme</th>";
   for (long n = least; n <= greatest; ++n) part.html += fmt::format("<th>N = {}</th>", n);
   part.html += "</tr></thead><tbody>\n";
-  for (const char* name : schemes) {
+  for (const auto& [name, label] : closed_curve_schemes()) {
     const Scheme scheme = make_scheme(name);
     const SingularSet set = singular_set(*scheme.space);
     nlohmann::ordered_json j;
     j["scheme"] = name;
     j["impossible"] = nlohmann::ordered_json::array();
-    part.html += "<tr><td>" + escaped(scheme_label(name)) + "<br/><span class=\"subject\">" +
-                 space_html(*scheme.space) + "</span></td>";
+    part.html +=
+        "<tr><td>" + escaped(label) + "<br/><span class=\"subject\">" + space_html(*scheme.space) + "</span></td>";
     for (long n = least; n <= greatest; ++n) {
       std::string levels;
       for (const auto& v : set.values)
@@ -199,8 +188,8 @@ Part count_part() {
     part.html += "</tr>\n";
     part.numbers.push_back(j);
   }
-  part.html += "</tbody></table></div>\n</section>\n";
-  return part;
+  part.html += "</tbody></table></div>\n";
+  return section;
 }
 
 }  // namespace twoscale::reports::romani2009

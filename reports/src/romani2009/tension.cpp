@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "page.hpp"
+#include "sections.hpp"
 #include "twoscale/reports/curves.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -19,12 +18,6 @@ struct Point {
   double v0;
   double distance;  // NaN: impossible
 };
-
-const Panel& polygon_panel() {
-  for (const Figure& f : figures())
-    if (f.number == 8) return f.panels[0];
-  throw std::logic_error("figure 8 is missing");
-}
 
 double distance(const Scheme& scheme, const std::string& v0, const std::vector<double>& polygon) {
   try {
@@ -88,9 +81,10 @@ Course course(const std::vector<Point>& list) {
 
 }  // namespace
 
-Part tension_part() {
-  Part part;
-  const std::vector<double> polygon = std::get<Polygon>(polygon_panel().start).vertices;
+Section tension_section() {
+  Section section{"tension", "Tension", "Figures 8–10: is a greater v⁰ always closer to the polygon?", {}};
+  Part& part = section.part;
+  const std::vector<double> polygon = std::get<Polygon>(panel(figures(), "8").start).vertices;
   Picture p;
   p.equal_axes = false;
   p.logarithmic_x = p.logarithmic_y = true;
@@ -139,14 +133,12 @@ Part tension_part() {
   }
   const double four_point = distance(make_scheme("dd:l=2"), "", polygon);
   part.html =
-      "<section class=\"figure\" id=\"tension\">\n<h3>Figures 8–10: is a greater v⁰ always closer to the "
-      "polygon?</h3>\n"
       "<p>Corollary 13 says so. Measured on the polygon above, for 107 values of v⁰ from −0.95 to 9999: the largest "
       "distance of a point of the limit "
       "curve to the polygon, over the diagonal of the polygon’s box. The gaps are singular values of the harmonic "
-      "scheme and their surroundings.</p>\n<figure>" +
-      embedded(part, "tension", "Distance of the limit curve to the polygon over 1 + v0", p) +
-      "</figure>\n<div class=\"wide\"><table><thead><tr><th>scheme</th><th>distance</th><th>its course as v⁰ "
+      "scheme and their surroundings.</p>\n" +
+      figure(part, {"tension", "Distance of the limit curve to the polygon over 1 + v⁰", "", {}, false}, p) +
+      "<div class=\"wide\"><table><thead><tr><th>scheme</th><th>distance</th><th>its course as v⁰ "
       "grows</th><th>at v⁰ = 9999</th></tr></thead><tbody>\n" +
       rows +
       fmt::format(
@@ -154,7 +146,7 @@ Part tension_part() {
           "ζ₂ → 0, ζ₄ → 1/2), the mixed rule "
           "tends to the 4-point Dubuc–Deslauriers rule (−1/16, 9/16), whose limit curve has the distance {}: the "
           "scheme of section 4.1 never "
-          "reaches the polygon.</p>\n</section>\n",
+          "reaches the polygon.</p>\n",
           number_text(four_point));
   const std::string verdict =
       all_monotone ? std::string("the measured distances agree.")
@@ -167,7 +159,7 @@ Part tension_part() {
                   "come to the polygon but to the "
                   "4-point Dubuc–Deslauriers curve (distance {} at v⁰ = 9999, {} in the limit).",
                   verdict, mixed_end, number_text(four_point)));
-  return part;
+  return section;
 }
 
 }  // namespace twoscale::reports::romani2009
