@@ -187,6 +187,7 @@ TEST(Audit, SaysWhatCannotBeRead) {
         "decider = \"identity\"\nleft = \"1/0\"\nright = \"y\"", "decider = \"numbers\"\nrelations = \"pi\"",
         "decider = \"claims\"\nscheme = \"dd\"\nclaims = \"reproduces=1\"",
         "decider = \"positive\"\nexpression = \"x\"\ndomain = \"x>0\"",
+        "decider = \"exponent\"\nscheme = \"dd:l=2\"\nexponent = 2\nattained = \"perhaps\"",
         "decider = \"identity\"\ncases = \"n=0..99999\"\nleft = 1\nright = 1"}) {
     const auto items = parse_items(head + body, "file");
     EXPECT_THROW(audit(items.at(0)), Error) << body;
