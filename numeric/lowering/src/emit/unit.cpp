@@ -220,15 +220,10 @@ bool keeps_old(const Stencil& s, size_t block) {
 
 }  // namespace
 
-bool Unit::has_pairs() const {
-  const auto pairs = [](const std::optional<Formula>& f) { return f && f->program.has_pairs(); };
-  return std::any_of(branches.begin(), branches.end(),
-                     [&](const Branch& b) { return b.mask.program.has_pairs() || pairs(b.where); }) ||
-         std::any_of(levels.begin(), levels.end(), [&](const Level& l) { return pairs(l.relation); });
-}
-
-bool Unit::has_relations() const {
-  return std::any_of(levels.begin(), levels.end(), [](const Level& l) { return l.relation.has_value(); });
+bool Unit::counts(Operation::Kind kind) const {
+  const auto in = [&](const std::optional<Formula>& f) { return f && f->program.count(kind) > 0; };
+  return std::any_of(branches.begin(), branches.end(), [&](const Branch& b) { return in(b.mask) || in(b.where); }) ||
+         std::any_of(levels.begin(), levels.end(), [&](const Level& l) { return in(l.relation); });
 }
 
 bool Unit::uses(const std::string& argument) const {
