@@ -54,6 +54,19 @@ void Part::exact_run(double deviation) {
   largest_exact_deviation = std::max(largest_exact_deviation, deviation);
 }
 
+std::string Part::absorb(Part part) {
+  const auto append = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
+  append(files, part.files);
+  append(findings, part.findings);
+  append(figures, part.figures);
+  exact_runs += part.exact_runs;
+  largest_exact_deviation = std::max(largest_exact_deviation, part.largest_exact_deviation);
+  certificates_valid = certificates_valid && part.certificates_valid;
+  return std::move(part.html);
+}
+
 std::string figure(Part& part, const Drawing& drawing, const Picture& picture) {
   return figure_of(part, drawing, picture);
 }

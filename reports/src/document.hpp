@@ -32,6 +32,8 @@ struct Part {
 
   // One of the exact runs, and how far it is from what is known, over its size.
   void exact_run(double deviation);
+  // Takes over everything of another part but its numbers, and returns its HTML.
+  std::string absorb(Part part);
 };
 
 // A file of reports/assets, compiled in: "style", "copy", "curve". Required: it is there.

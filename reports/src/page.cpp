@@ -63,16 +63,14 @@ std::string write_page(const std::string& directory, const Page& page) {
 PaperSummary write_paper_page(const std::string& directory, const PaperPage& text, std::vector<Section> sections) {
   const Paper* paper = find_paper(text.paper);
   if (paper == nullptr) throw std::logic_error("no such paper: " + text.paper);
-  PaperSummary summary;
-  std::vector<std::string> findings;
+  Part all;
   for (const Section& s : sections) {
-    const Part& p = s.part;
-    summary.figures.insert(summary.figures.end(), p.figures.begin(), p.figures.end());
-    summary.exact_runs += p.exact_runs;
-    summary.largest_exact_deviation = std::max(summary.largest_exact_deviation, p.largest_exact_deviation);
-    summary.all_certificates_valid = summary.all_certificates_valid && p.certificates_valid;
-    findings.insert(findings.end(), p.findings.begin(), p.findings.end());
+    Part part = s.part;
+    part.files.clear();
+    all.absorb(std::move(part));
   }
+  PaperSummary summary{"", all.figures, all.exact_runs, all.largest_exact_deviation, all.certificates_valid};
+  std::vector<std::string> findings = all.findings;
   if (summary.exact_runs > 0)
     findings.insert(findings.begin(),
                     fmt::format("<strong>{} runs that should return a known {} {}</strong>: no refined point is "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "twoscale/reports/papers.hpp"
 
+#include "twoscale/reports/beccari2007.hpp"
 #include "twoscale/reports/jeong2013.hpp"
 #include "twoscale/reports/romani2009.hpp"
 
@@ -8,6 +9,10 @@ namespace twoscale::reports {
 
 const std::vector<Paper>& papers() {
   static const std::vector<Paper> list = {
+      {"beccari2007",
+       "C. Beccari, G. Casciola, L. Romani: A non-stationary uniform tension controlled interpolating 4-point scheme "
+       "reproducing conics",
+       "curve", beccari2007::write_report},
       {"jeong2013",
        "B. Jeong, Y. J. Lee, J. Yoon: A family of non-stationary subdivision schemes reproducing exponential "
        "polynomials",

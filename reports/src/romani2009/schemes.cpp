@@ -3,12 +3,10 @@
 // table of numbers of points a closed curve can start from.
 #include <fmt/format.h>
 
+#include "scheme/article.hpp"
 #include "sections.hpp"
-#include "twoscale/analysis/prove.hpp"
-#include "twoscale/reports/curves.hpp"
 #include "twoscale/reports/html.hpp"
 #include "twoscale/symbolic/catalog.hpp"
-#include "twoscale/symbolic/expression.hpp"
 #include "twoscale/symbolic/interpolatory.hpp"
 
 namespace twoscale::reports::romani2009 {
@@ -56,66 +54,13 @@ std::string limits(const Scheme& scheme) {
   return "<math><mrow>" + s + "</mrow></math>";
 }
 
-std::string singular(const Scheme& scheme, nlohmann::ordered_json& numbers) {
-  numbers = nlohmann::ordered_json::array();
-  const SingularSet set = singular_set(*scheme.space);
-  if (set.values.empty()) return "<p>No singular v⁰: every step exists for every v⁰ &gt; −1.</p>\n";
-  for (const auto& v : set.values)
-    numbers.push_back({{"exact", v.exact()}, {"decimal", parse_real(v.exact()).decimal(6)}, {"level", v.level}});
-  return singular_table(set);
-}
-
-Picture basic_picture(const Scheme& scheme, const SixPoint& which) {
-  Picture p;
-  p.equal_axes = false;
-  p.height = 300;
-  int colour = 0;
-  for (const char* v0 : which.basic_v0) {
-    Line l;
-    l.values = basic_limit_function(scheme, lowering::bind(scheme, v0, std::nullopt, {}), drawn_levels).values;
-    l.title = std::string("v⁰ = ") + v0;
-    l.colour = colour++;
-    p.lines.push_back(std::move(l));
-  }
-  return p;
-}
-
-std::string article(const SixPoint& which, const PaperOptions& options, Part& part) {
+Article article(const SixPoint& which) {
   const Scheme scheme = make_scheme(which.scheme);
-  const analysis::Proof proof = analysis::prove(scheme, analysis::default_claims(scheme));
-  const std::string checked = proof.certificate.empty()
-                                  ? "<p>No certificate: nothing was decided.</p>\n"
-                                  : certificate_html(part, which.name, proof.certificate, options.checker);
-  nlohmann::ordered_json singular_json;
-  const std::string singular_html = singular(scheme, singular_json);
-  nlohmann::ordered_json j;
-  j["scheme"] = which.scheme;
-  for (const auto& d : proof.decisions)
-    j["verdicts"].push_back({{"claim", d.claim}, {"subject", d.subject}, {"verdict", to_string(d.verdict)}});
-  j["singular_v0"] = singular_json;
-  part.numbers.push_back(j);
-  const std::string name = shell_quoted(which.scheme);
-  std::string s =
-      fmt::format("<article id=\"{0}\">\n<h3>Section {1}: {2}</h3>\n<p><code>{3}</code>, the space {4}</p>\n",
-                  which.name, which.section, which.what, escaped(which.scheme), space_html(*scheme.space));
-  s += "<div class=\"split\"><div>" + formulas(scheme);
-  s += "<p class=\"limit\">" + limits(scheme) + "</p>\n<details><summary>The same as text</summary><pre>" +
-       escaped(plain_formulas(scheme)) + "</pre></details></div>\n";
-  const std::string basic = std::string(" --v0=") + which.basic_v0[1];
-  s += figure(part,
-              {std::string("basic-") + which.name,
-               std::string("Basic limit functions, section ") + which.section,
-               "",
-               {"twoscale plot basic " + name + basic + " -o basic.svg"},
-               false},
-              basic_picture(scheme, which)) +
-       "</div>\n";
-  s += verdict_table(proof.decisions) + checked + singular_html;
-  const std::string file = std::string("certificates/") + which.name + ".json";
-  s += commands_html({"twoscale derive " + name, "twoscale prove " + name + " --certificate " + file,
-                      "twoscale-check " + file, "twoscale table " + name + basic + " --levels 10 --digits 30"}) +
-       "</article>\n";
-  return s;
+  return {which.name, std::string("Section ") + which.section + ": " + which.what,
+          formulas(scheme) + "<p class=\"limit\">" + limits(scheme) +
+              "</p>\n<details><summary>The same as text</summary><pre>" + escaped(plain_formulas(scheme)) +
+              "</pre></details>",
+          which.scheme, which.basic_v0};
 }
 
 }  // namespace
@@ -146,11 +91,9 @@ Section scheme_section(const PaperOptions& options) {
       "stretchy=\"false\">)</mo><mo>/</mo><mn>2</mn></mrow></msqrt></mrow></math> and "
       "<math><mrow><msup><mi>v</mi><mn>0</mn></msup><mo>=</mo><mi>cosh</mi><mi>t</mi></mrow></math>. The formulas "
       "below were derived from the "
-      "spaces, not copied; verdicts hold for all levels and all v⁰ named at once. The paper’s smoothness claims are "
-      "not examined on this page.</p>\n";
+      "spaces, not copied; verdicts hold for all levels and all v⁰ named at once.</p>\n";
   for (const SixPoint& s : six_point_schemes()) {
-    if (options.progress) options.progress(std::string("prove ") + s.scheme);
-    part.html += article(s, options, part);
+    part.html += scheme_article(part, article(s), options);
   }
   return section;
 }

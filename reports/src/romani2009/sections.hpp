@@ -15,7 +15,7 @@ struct SixPoint {
   const char* section;  // "4.1"
   const char* what;
   const char* scheme;
-  std::vector<const char*> basic_v0;  // for its basic limit functions
+  std::vector<std::string> basic_v0;  // for its basic limit functions
 };
 const std::vector<SixPoint>& six_point_schemes();
 

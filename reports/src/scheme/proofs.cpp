@@ -65,9 +65,10 @@ Part claims(const Subject& s, SchemeReportSummary& summary) {
   part.html += verdict_table(proof.decisions);
   if (const std::string names = theorems(proof.decisions); !names.empty())
     part.html += "<p class=\"small\">Theorems named in the certificate: " + names + ".</p>\n";
-  if (!proof.certificate.empty()) part.html += certificate_html(part, "claims", proof.certificate, s.options.checker);
-  part.html += commands_html({"twoscale prove " + s.name + " --certificate certificates/claims.json",
-                              "twoscale-check certificates/claims.json"});
+  if (!proof.certificate.empty())
+    part.html += certificate_html(part, s.prefix + "claims", proof.certificate, s.options.checker);
+  part.html += commands_html({"twoscale prove " + s.name + " --certificate certificates/" + s.prefix + "claims.json",
+                              "twoscale-check certificates/" + s.prefix + "claims.json"});
   return part;
 }
 
@@ -127,12 +128,13 @@ Part smoothness(const Subject& s) {
                   "itself: for " +
                   prose(analysis::start_values(s.scheme)) + " without a singular step.</p>\n"
             : "<p>These are the exponents of the limit of the masks; for the scheme itself they are undecided.</p>\n";
-  part.html += certificate_html(part, "smoothness", r.certificate, s.options.checker);
+  part.html += certificate_html(part, s.prefix + "smoothness", r.certificate, s.options.checker);
   std::string at;
   for (const auto& p : s.scheme.parameters)
     if (p.scope == Parameter::Scope::constant && p.default_value.empty()) at = s.values;
-  part.html += commands_html({"twoscale regularity " + s.name + at + " --certificate certificates/smoothness.json",
-                              "twoscale-check certificates/smoothness.json"});
+  part.html += commands_html(
+      {"twoscale regularity " + s.name + at + " --certificate certificates/" + s.prefix + "smoothness.json",
+       "twoscale-check certificates/" + s.prefix + "smoothness.json"});
   return part;
 }
 

@@ -48,7 +48,10 @@ std::string command_values(const lowering::Binding& b, const Scheme& scheme) {
   return v0 + (at.empty() ? "" : " --at " + shell_quoted(at));
 }
 
-Subject subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
+}  // namespace
+
+Subject scheme_page::subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
+  symbol(scheme);  // refuses what has none
   lowering::Binding binding = binding_of(scheme, o);
   std::vector<std::pair<std::string, RationalFunction>> values;
   bool all = true;
@@ -59,15 +62,12 @@ Subject subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
     if (value) values.emplace_back(p.name, *value);
   }
   std::string text = command_values(binding, scheme);
-  return {scheme, with_values(scheme, values), all, std::move(binding), o, shell_quoted(o.name), std::move(text)};
+  return {scheme, with_values(scheme, values), all, std::move(binding), o, shell_quoted(o.name), std::move(text), ""};
 }
-
-}  // namespace
 
 SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string& directory,
                                         const SchemeReportOptions& options) {
-  symbol(scheme);  // refuses what has none
-  const Subject s = subject_of(scheme, options);
+  const Subject s = scheme_page::subject_of(scheme, options);
   SchemeReportSummary summary;
   const auto tell = [&](const char* step) {
     if (options.progress) options.progress(step);

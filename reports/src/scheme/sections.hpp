@@ -17,7 +17,11 @@ struct Subject {
   const SchemeReportOptions& options;
   std::string name;    // for commands, quoted for a shell
   std::string values;  // for commands: " --at w=1/16", or nothing
+  std::string prefix;  // of the names of its files, where a page is about several schemes
 };
+
+// Refuses a scheme without a symbol, and a constant without a value.
+Subject subject_of(const Scheme& scheme, const SchemeReportOptions& options);
 
 Part definition(const Subject& s);
 Part parameters(const Subject& s);  // and the space
