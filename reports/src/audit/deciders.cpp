@@ -376,6 +376,13 @@ Outcome exponent(const Arguments& a) {
     // Logarithms: a zero is not proved by balls; the same expression is the same number.
     const bool same =
         d == Sign::zero || (r.hoelder.expression && *r.hoelder.expression == expanded(text_at(a, "exponent"), c));
+    if (same && !list_at(a, "attained").empty()) {
+      const std::string& wanted = text_at(a, "attained");
+      if (wanted != "yes" && wanted != "no") bad_input("attained: yes or no is expected, not", wanted);
+      if (!r.attained) return Outcome{Answer::undecided, text + "; whether it is attained is not known"};
+      return Outcome{*r.attained == (wanted == "yes") ? Answer::proved : Answer::refuted,
+                     text + (*r.attained ? ", attained" : ", not attained")};
+    }
     if (same) return Outcome{Answer::proved, text};
     if (d == Sign::unknown) return Outcome{Answer::undecided, text + "; equality with the printed one is not decided"};
     return Outcome{Answer::refuted, text};
@@ -434,7 +441,11 @@ const std::vector<Decider>& deciders() {
        {"scheme", "at", "parameter", "from", "to", "order", "closed", "cases"},
        {"order"},
        smooth_between},
-      {"exponent", "the exact Hölder exponent", {"scheme", "at", "exponent", "cases"}, {"exponent"}, exponent},
+      {"exponent",
+       "the exact Hölder exponent (attained: yes, the limits are in its class; no, in those below only)",
+       {"scheme", "at", "exponent", "attained", "cases"},
+       {"exponent"},
+       exponent},
       {"junction",
        "eigenvalues of schemes on knots: all but 1, .., 2^-order are smaller than 2^-order, for all parameters but "
        "`except`, or at the points `at`",

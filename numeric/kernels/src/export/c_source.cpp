@@ -27,16 +27,6 @@ std::string comment_block(const MaskTable& table) {
   return out + " */\n";
 }
 
-std::string prefix(const MaskTable& table, const TableOptions& options) {
-  if (options.prefix.empty()) return identifier_of_scheme(table.scheme);
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9'); };
-  if (!letter(options.prefix[0]) || !std::all_of(options.prefix.begin(), options.prefix.end(), inner)) {
-    throw Error(Error::Kind::bad_input, "not an identifier: " + quoted(options.prefix));
-  }
-  return options.prefix;
-}
-
 std::string literal(const MaskTable& table, const TableOptions& options, double value, const std::string& text) {
   if (options.hex_float) return hex_float(value);
   const bool short_text = table.digits > 0 && table.digits < double_digits;

@@ -12,9 +12,6 @@ namespace twoscale::kernels::c_source {
 /// The header comment as one block.
 std::string comment_block(const MaskTable& table);
 
-/// options.prefix when it is an identifier (Error otherwise), or the one made from the scheme.
-std::string prefix(const MaskTable& table, const TableOptions& options);
-
 /// A double literal: hexadecimal, or the text as printed when fewer than 17 digits were asked for, else the shortest
 /// decimal that a compiler rounds to `value`.
 std::string literal(const MaskTable& table, const TableOptions& options, double value, const std::string& text);

@@ -90,7 +90,7 @@ class CWriter final : public TableWriter {
 
   std::string write(const MaskTable& table, const TableOptions& options) const override {
     validate(table);
-    const std::string lower = c_source::prefix(table, options);
+    const std::string lower = identifier(options.prefix, table.scheme);
     const std::string upper = c_source::upper_case(lower);
     const TableGrid grid = common_grid(table);
     const auto replaced = [&](std::string_view text) { return c_source::substituted(text, lower, upper); };

@@ -77,7 +77,7 @@ class CppWriter final : public TableWriter {
 
   std::string write(const MaskTable& table, const TableOptions& options) const override {
     validate(table);
-    const std::string space = c_source::prefix(table, options);
+    const std::string space = identifier(options.prefix, table.scheme);
     const std::string guard = c_source::upper_case(space) + "_HPP";
     const TableGrid grid = common_grid(table);
     const bool long_digits = c_source::has_long_digits(table);

@@ -52,10 +52,17 @@ std::string identifier_of_scheme(std::string_view scheme) {
   return out;
 }
 
-namespace {
+std::string identifier(const std::string& prefix, std::string_view scheme) {
+  if (prefix.empty()) return identifier_of_scheme(scheme);
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9'); };
+  if (!letter(prefix[0]) || !std::all_of(prefix.begin(), prefix.end(), inner)) {
+    throw Error(Error::Kind::bad_input, "not an identifier: " + quoted(prefix));
+  }
+  return prefix;
+}
 
-// Printable ASCII on one line, without the marks that begin or end a C comment and without trigraphs.
-std::string plain(std::string_view text) {
+std::string comment_text(std::string_view text) {
   std::string out;
   for (const char c : text) {
     const char shown = c >= 0x20 && c < 0x7f ? c : '?';
@@ -65,8 +72,11 @@ std::string plain(std::string_view text) {
     }
     out += shown;
   }
+  if (!out.empty() && out.back() == '\\') out += '.';
   return out;
 }
+
+namespace {
 
 std::string pairs(const std::vector<std::pair<std::string, std::string>>& items) {
   std::string out;
@@ -103,7 +113,7 @@ std::vector<std::string> header_lines(const MaskTable& table) {
     lines.push_back("Tail: for k >= " + std::to_string(table.tail_from) + " no coefficient is further than " +
                     table.tail_bound + " from the limit row");
   }
-  for (std::string& line : lines) line = plain(line);
+  for (std::string& line : lines) line = comment_text(line);
   return lines;
 }
 

@@ -42,8 +42,15 @@ std::string write_table(const MaskTable& table, std::string_view format, const T
 /// are cut and end with a hash of the whole id.
 std::string identifier_of_scheme(std::string_view scheme);
 
-/// What the header comment of a text format says, line by line, without comment marks; printable ASCII only, so that
-/// it cannot close a comment ("*/" is broken up).
+/// `prefix` when it is an identifier (Error bad_input otherwise); empty: the one made from the scheme id.
+std::string identifier(const std::string& prefix, std::string_view scheme);
+
+/// One line of a comment: printable ASCII that cannot close a comment ("*/" is broken up), continue the line or be a
+/// trigraph.
+std::string comment_text(std::string_view text);
+
+/// What the header comment of a text format says, line by line, without comment marks; each is a
+/// comment_text.
 std::vector<std::string> header_lines(const MaskTable& table);
 
 /// All rows (levels 0..K-1, then the limit) padded with zeros to their common support [lowest, highest].
