@@ -23,7 +23,7 @@ struct Kind {
   Finding (*of_itself)(Meter&, Fields&, bool) = nullptr;  ///< states itself what it is about: in every document
 };
 
-constexpr std::array<Kind, 18> kinds{{
+constexpr std::array<Kind, 22> kinds{{
     {"interpolatory", "definition", check_interpolatory},
     {"symmetric", "definition", check_symmetric},
     {"sum-rules", "definition", check_sum_rules},
@@ -40,6 +40,10 @@ constexpr std::array<Kind, 18> kinds{{
     {"jsr-family", "invariant-polytope", check_jsr_family},
     {"stability", "jia-wang", check_stability},
     {"nonstationary", "nonstationary", check_nonstationary},
+    {"knots-reproduces", "definition", check_knots_reproduces},
+    {"knots-support", "compact-support", check_knots_support},
+    {"junction", "schur-cohn", check_junction},
+    {"knots-continuity", "piecewise-uniform", check_knots_continuity},
     {"positivity", "", nullptr, nullptr, check_positivity},
     {"root-bound", "schur-cohn", nullptr, nullptr, check_root_bound},
 }};
@@ -181,10 +185,11 @@ void check_document(std::string_view text, Report& report, Meter& meter) {
                                                  : "what they state"));
   std::optional<Identities> identities;
   RadiusBounds radius;
+  KnotFacts knots;
   std::optional<Subject> subject;
   if (certificate != nullptr) {
     report.lines.push_back(head_line(*certificate));
-    subject.emplace(Context{*certificate, identities.emplace(*certificate, meter), meter, radius});
+    subject.emplace(Context{*certificate, identities.emplace(*certificate, meter), meter, radius, knots});
   } else if (family != nullptr) {
     report.lines.push_back(head_line(*family));
     subject.emplace(FamilyContext{*family, meter});
