@@ -95,9 +95,9 @@ std::string system_html(const Matrix& m, const std::vector<RationalFunction>& rh
                         const std::string& name) {
   return block("<mi>" + name + "</mi><mo>=</mo>" + matrix(m, rhs.size())) +
          block("<mi>" + name + "</mi><mo>&#x2062;</mo><mi>w</mi><mo>=</mo>" + column(rhs) +
-               "<mo>,</mo><mspace width=\"1em\"/><mi>det</mi><mspace width=\"0.25em\"/><mi>" + name + "</mi><mo>=</mo>" +
-               mathml(determinant.to_string()) + "<mo>,</mo><mspace width=\"1em\"/><mi>w</mi><mo>=</mo>" +
-               column(solution));
+               "<mo>,</mo><mspace width=\"1em\"/><mi>det</mi><mspace width=\"0.25em\"/><mi>" + name +
+               "</mi><mo>=</mo>" + mathml(determinant.to_string()) +
+               "<mo>,</mo><mspace width=\"1em\"/><mi>w</mi><mo>=</mo>" + column(solution));
 }
 
 std::string singular_step(const Derivation& d) {

@@ -22,7 +22,7 @@ std::string figure_of(Part& part, const Drawing& d, const P& picture) {
   const std::string svg = render(picture, ImageFormat::svg);
   const std::string file = "figures/" + d.id + ".svg";
   part.files.emplace_back(file, svg);
-  part.figures.push_back({d.id, d.title, file, d.commands.empty() ? "" : d.commands[0]});
+  part.figures.push_back({d.id, d.title, file, d.commands.empty() ? "" : d.commands[0], d.numbered});
   const std::string title = escaped(d.title);
   return fmt::format(
       "<figure id=\"panel-{}\">\n<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>\n<figcaption>"
@@ -134,6 +134,7 @@ std::string prose(std::string text) {
       text.replace(at, from.size(), to);
   };
   replace(">= ", "≥ ");
+  replace("v^0", "v⁰");
   replace("v0", "v⁰");
   replace("> -1", "> −1");
   replace("= -", "= −");
