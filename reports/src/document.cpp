@@ -64,6 +64,7 @@ std::string Part::absorb(Part part) {
   exact_runs += part.exact_runs;
   largest_exact_deviation = std::max(largest_exact_deviation, part.largest_exact_deviation);
   certificates_valid = certificates_valid && part.certificates_valid;
+  interactive = interactive || part.interactive;
   return std::move(part.html);
 }
 
