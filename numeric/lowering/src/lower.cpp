@@ -232,7 +232,7 @@ class Lowering {
   bool rounded_double_of(const Ball& x, double& d) {
     if (x.contains_zero()) return false;
     arb_set_round(short_.raw(), x.raw(), 128);
-    return rounded_double(short_, d);
+    return rounded_double(short_, d) || rounded_double(x, d);
   }
 
   // The guard covers the growth of errors in a mask of moderate size; what it does not cover is done again.

@@ -28,6 +28,7 @@ class DecimalRounder {
   bool round(const Ball& x, Decimal& result);
 
  private:
+  bool round_slowly(const Ball& x, Decimal& result) const;
   bool try_exponent(const Ball& x, long e, int& wrong);
 
   long digits_;
