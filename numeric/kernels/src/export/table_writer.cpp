@@ -68,6 +68,7 @@ std::string identifier(const std::string& prefix, std::string_view scheme) {
 std::string comment_text(std::string_view text) {
   std::string out;
   for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // one mark for a character of several bytes
     const char shown = c >= 0x20 && c < 0x7f ? c : '?';
     if (!out.empty() && ((out.back() == '*' && shown == '/') || (out.back() == '/' && shown == '*') ||
                          (out.back() == '?' && shown == '?'))) {
