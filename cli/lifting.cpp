@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <sstream>
 
-#include "derivation.hpp"
 #include "session.hpp"
 #include "twoscale/analysis/real_algebraic.hpp"
 #include "twoscale/kernels/number_text.hpp"
 #include "twoscale/lowering/filter_table.hpp"
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
@@ -250,10 +250,10 @@ Json exact_json(const Task& t) {
   j["delay"] = l.factorization.delay;
   j["filters"] = {
       {"rule", "x_i = sum_j a_{i-2j} s_j + b_{i-2j} d_j, s_j = sum_i L_{i-2j} x_i, d_j = sum_i H_{i-2j} x_i"},
-      {"a", laurent_json(l.bank.synthesis_low)},
-      {"b", laurent_json(l.bank.synthesis_high)},
-      {"L", laurent_json(l.bank.analysis_low)},
-      {"H", laurent_json(l.bank.analysis_high)}};
+      {"a", reports::laurent_json(l.bank.synthesis_low)},
+      {"b", reports::laurent_json(l.bank.synthesis_high)},
+      {"L", reports::laurent_json(l.bank.analysis_low)},
+      {"H", reports::laurent_json(l.bank.analysis_high)}};
   j["vanishing_moments"] = {{"b", vanishing_moments(l.bank.synthesis_high)},
                             {"H", vanishing_moments(l.bank.analysis_high)}};
   j["reconstruction"] = "proved";

@@ -53,6 +53,21 @@ int run_on_knots(const Options& o, const Common& common, const Scheme& s, kernel
   return 0;
 }
 
+// CSV and NPY in doubles go out piece by piece, so that the memory needed does not grow with the number of levels.
+void write_rows(const lowering::RefinedRows& rows, const kernels::PointSet& points, kernels::PointFormat format,
+                const std::string& path) {
+  kernels::FileOutput file(path);
+  if (!file.whole()) rows.for_each([](std::span<const double>) {});  // what cannot be taken back is checked first
+  file.write(kernels::points_head(format, points.columns, points.dim, rows.count));
+  std::string text;
+  rows.for_each([&](std::span<const double> values) {
+    text.clear();
+    kernels::append_points(text, format, values, points.dim);
+    file.write(text);
+  });
+  file.finish();
+}
+
 int run(const Options& o, const Common& common) {
   // Everything that can be refused without the points comes first.
   const std::string target = common.format == "text" ? common.output : "." + common.format;
@@ -78,6 +93,7 @@ int run(const Options& o, const Common& common) {
   lowering::RefineOptions options;
   options.levels = o.levels;
   options.digits = o.digits;
+  options.threads = common.threads;
   if (!o.open.empty()) options.boundary = kernels::parse_boundary(o.open);
   const auto& points = std::get<kernels::PointSet>(in);
   kernels::PointSet out;
@@ -88,7 +104,12 @@ int run(const Options& o, const Common& common) {
     if (format == kernels::PointFormat::obj || format == kernels::PointFormat::svg)
       out = lowering::without_edge_tension(out);
   } else {
-    out = lowering::refine_points(s, lowering::bind(s, o.values.v0, o.values.t, o.values.named()), points, options);
+    const lowering::Binding binding = lowering::bind(s, o.values.v0, o.values.t, o.values.named());
+    if (kernels::in_pieces(format) && o.digits == 0) {
+      write_rows(lowering::refined_rows(s, binding, points, options), points, format, common.output);
+      return 0;
+    }
+    out = lowering::refine_points(s, binding, points, options);
   }
   const bool closed = options.boundary == kernels::Boundary::closed;
   kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));

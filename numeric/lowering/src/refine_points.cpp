@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "digits.hpp"
@@ -27,11 +28,13 @@ void check_request(const Scheme& scheme, const kernels::PointSet& points, const 
     bad_input("the scheme has no function space that could extend an open polygon", scheme.id);
 }
 
+constexpr std::size_t piece_values = std::size_t{1} << 20;  // of refined_rows
+
 LowerOptions lowering_options(const RefineOptions& options, long digits) {
   return {options.levels, digits, options.boundary == kernels::Boundary::space, false};
 }
 
-void check_finite(const std::vector<double>& values) {
+void check_finite(std::span<const double> values) {
   for (const double x : values)
     if (!std::isfinite(x)) bad_input("a refined number does not fit a double", kernels::shortest(x));
 }
@@ -106,10 +109,31 @@ kernels::PointSet refine_points(const Scheme& scheme, const Binding& binding, co
   kernels::PointSet out;
   out.columns = points.columns;
   out.dim = points.dim;
-  out.values = kernels::refine(points.values, points.dim, lower(scheme, binding, lowering_options(options, 0)), levels,
-                               options.boundary);
+  kernels::Refiner<double> refiner(lower(scheme, binding, lowering_options(options, 0)));
+  refiner.set_threads(options.threads);
+  out.values = refiner.refine(points.values, points.dim, levels, options.boundary);
   check_finite(out.values);
   return out;
+}
+
+RefinedRows refined_rows(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
+                         const RefineOptions& options) {
+  if (options.digits != 0) bad_input("rows are refined in doubles", std::to_string(options.digits) + " digits");
+  check_request(scheme, points, options);
+  const int levels = static_cast<int>(options.levels);
+  auto refiner = std::make_shared<kernels::Refiner<double>>(lower(scheme, binding, lowering_options(options, 0)));
+  refiner->set_threads(options.threads);
+  RefinedRows rows;
+  rows.count = refiner->output(points.size(), levels, options.boundary).count;
+  rows.for_each = [refiner, levels, &points, boundary = options.boundary](const auto& take) {
+    const std::size_t at_once = std::max<std::size_t>(1, piece_values / points.dim);
+    refiner->for_each_piece(points.values, points.dim, levels, boundary, at_once,
+                            [&](std::size_t, std::span<const double> values) {
+                              check_finite(values);
+                              take(values);
+                            });
+  };
+  return rows;
 }
 
 bool has_edge_tension(const kernels::PointSet& points) { return column_of_tension(points) < points.columns.size(); }

@@ -2,6 +2,9 @@
 // Refinement of points files: in doubles through the vectorised kernels, or with any number of proved digits.
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/refine.hpp"
 #include "twoscale/lowering/lower.hpp"
@@ -16,6 +19,7 @@ struct RefineOptions {
   // digits (tokens). A number that cannot be told from 0 with twice the digits (smaller than 10^(-2 digits) times the
   // largest of the output) is printed as 0.
   long digits = 0;
+  int threads = 0;  // at most so many for doubles, 0: one for each core
 };
 
 // Points out: the same columns, point 0 first (kernels/refine.hpp says which parameters they belong to).
@@ -23,6 +27,14 @@ struct RefineOptions {
 // Boundary::space, a singular step; Error(undecided) if a digit could not be decided.
 kernels::PointSet refine_points(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
                                 const RefineOptions& options);
+
+// Consecutive pieces of the same points in doubles (options.digits == 0), for outputs that do not fit into memory.
+struct RefinedRows {
+  std::size_t count = 0;                                                              // of all points that come out
+  std::function<void(const std::function<void(std::span<const double>)>&)> for_each;  // calls with the values of rows
+};
+RefinedRows refined_rows(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
+                         const RefineOptions& options);
 
 // Each edge its own tension (beccari2007, section 6): the column `v0` of `points` is the v^0 of the edge that starts at
 // the point, and the new points of an edge follow the mask of its own v^{k+1}. Out come the same columns; v0 is then

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derivation.hpp"
+#include "twoscale/reports/derivation.hpp"
 
 #include <sstream>
 
 #include "twoscale/symbolic/exact_real.hpp"
 #include "twoscale/symbolic/symbol.hpp"
 
-namespace twoscale::cli {
+namespace twoscale::reports {
 
 using Json = nlohmann::ordered_json;
 
@@ -455,4 +455,4 @@ std::string to_markdown(const Derivation& d) {
   return out.str();
 }
 
-}  // namespace twoscale::cli
+}  // namespace twoscale::reports

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the table of figures and measures.
+// Runs panels and measures.
 #include <cstdlib>
 
 #include "twoscale/reports/curves.hpp"
-#include "twoscale/reports/romani2009.hpp"
+#include "twoscale/reports/figures.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
 
-namespace twoscale::reports::romani2009 {
+namespace twoscale::reports {
 
 namespace {
 
@@ -17,13 +17,19 @@ double number(const std::string& expression) {
   return std::strtod(parse_real(expression).decimal(20).c_str(), nullptr);
 }
 
+kernels::Boundary boundary_of(const Panel& panel) {
+  if (const auto* polygon = std::get_if<Polygon>(&panel.start))
+    return polygon->closed ? kernels::Boundary::closed : kernels::Boundary::linear;
+  return std::get<Samples>(panel.start).closed ? kernels::Boundary::closed : kernels::Boundary::given;
+}
+
 }  // namespace
 
 StartPoints start_points(const Panel& panel, const Trial& trial) {
-  if (const auto* polygon = std::get_if<Polygon>(&panel.start)) return {polygon->vertices, 2, true, 0};
+  if (const auto* polygon = std::get_if<Polygon>(&panel.start)) return {polygon->vertices, 2, polygon->closed, 0};
   const auto& s = std::get<Samples>(panel.start);
   StartPoints r{{}, s.curve.dim, s.closed, 0};
-  if (!s.closed) r.beyond = static_cast<std::size_t>(points_beyond_ends(make_scheme(trial.scheme)).left);
+  if (!s.closed) r.beyond = static_cast<std::size_t>(points_beyond_ends(make_scheme(trial.scheme.name)).left);
   const double first = number(s.first);
   const double spacing = number(s.spacing);
   const auto beyond = static_cast<int>(r.beyond);
@@ -37,9 +43,9 @@ StartPoints start_points(const Panel& panel, const Trial& trial) {
 
 Measured measure(const Panel& panel, const Trial& trial, int levels) {
   Measured m;
-  const Scheme scheme = make_scheme(trial.scheme);
+  const Scheme scheme = make_scheme(trial.scheme.name);
   const StartPoints start = start_points(panel, trial);
-  const kernels::Boundary boundary = start.closed ? kernels::Boundary::closed : kernels::Boundary::given;
+  const kernels::Boundary boundary = boundary_of(panel);
   Refined fine;
   try {
     const auto v0 = trial.v0.empty() ? std::optional<std::string>() : trial.v0;
@@ -58,10 +64,10 @@ Measured measure(const Panel& panel, const Trial& trial, int levels) {
     const double spacing = number(s->spacing);
     m.deviation = largest_deviation(fine, [&](double t, double* p) { s->curve.at(first + t * spacing, p); });
   } else {
-    m.polygon_distance = distance_to_polygon(fine, start.values, true);
-    m.turning = total_turning(fine.values, true);
+    m.polygon_distance = distance_to_polygon(fine, start.values, start.closed);
+    m.turning = total_turning(fine.values, start.closed);
   }
   return m;
 }
 
-}  // namespace twoscale::reports::romani2009
+}  // namespace twoscale::reports

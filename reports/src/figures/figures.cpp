@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The section of figures: every panel measured, drawn, and with the commands that repeat it.
+// Sections of figures: every panel measured, drawn, and with the commands that repeat it.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "page.hpp"
+#include "figures/figures.hpp"
+
 #include "twoscale/kernels/points_io.hpp"
-#include "twoscale/lowering/fit.hpp"
 #include "twoscale/reports/curves.hpp"
 #include "twoscale/reports/html.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/expression.hpp"
 
-namespace twoscale::reports::romani2009 {
+namespace twoscale::reports {
 
 namespace {
 
@@ -95,7 +95,7 @@ Picture picture(const Panel& panel, const std::vector<Measured>& results) {
 
 std::string trial_row(const Panel& panel, const Trial& t, const Measured& m) {
   const bool samples = std::holds_alternative<Samples>(panel.start);
-  std::string s = fmt::format("<tr><td>{}</td><td>{}</td>", escaped(scheme_label(t.scheme)), v0_html(t.v0));
+  std::string s = fmt::format("<tr><td>{}</td><td>{}</td>", escaped(t.scheme.label), v0_html(t.v0));
   if (!m.ran)
     return s + "<td class=\"refuted\" colspan=\"2\" title=\"" + escaped(m.refusal) +
            "\">impossible: a step is singular</td></tr>\n";
@@ -113,18 +113,22 @@ std::string csv(const StartPoints& start) {
   return kernels::to_csv(set);
 }
 
-std::string commands(const Panel& panel, const StartPoints& start) {
-  std::string lines;
+std::vector<std::string> commands(const Panel& panel, const StartPoints& start) {
+  std::vector<std::string> lines;
   for (const Trial& t : panel.trials) {
     const std::string v0 = t.v0.empty() ? "" : " --v0=" + shell_quoted(t.v0);
-    lines += command("twoscale refine " + shell_quoted(t.scheme) + v0 + fmt::format(" --levels {}", measured_levels) +
-                     (start.closed ? " --closed" : " --open=given") + " data/" + panel.id + ".csv -o curve.csv" +
-                     (t.expect == Expect::impossible ? "   # refused, exit status 2" : ""));
+    lines.push_back("twoscale refine " + shell_quoted(t.scheme.name) + v0 +
+                    fmt::format(" --levels {}", measured_levels) +
+                    (start.closed                                   ? " --closed"
+                     : std::holds_alternative<Samples>(panel.start) ? " --open=given"
+                                                                    : " --open=linear") +
+                    " data/" + panel.id + ".csv -o curve.csv" +
+                    (t.expect == Expect::impossible ? "   # refused, exit status 2" : ""));
   }
-  return "<details><summary>Commands</summary><pre class=\"shell\">" + lines + "</pre></details>";
+  return lines;
 }
 
-std::string panel_html(const Panel& panel, Part& part, Summary& summary) {
+std::string panel_html(const Panel& panel, Part& part) {
   std::vector<Measured> results;
   const StartPoints start = start_points(panel, panel.trials[0]);
   const auto* samples = std::get_if<Samples>(&panel.start);
@@ -132,13 +136,10 @@ std::string panel_html(const Panel& panel, Part& part, Summary& summary) {
   for (const Trial& t : panel.trials) {
     const Measured m = measure(panel, t);
     rows += trial_row(panel, t, m);
-    if (t.expect == Expect::exact) {
-      ++summary.exact_runs;
-      summary.largest_exact_deviation = std::max(summary.largest_exact_deviation, m.ran ? m.deviation : INFINITY);
-    }
+    if (t.expect == Expect::exact) part.exact_run(m.ran ? m.deviation : INFINITY);
     nlohmann::ordered_json j;
     j["panel"] = panel.id;
-    j["scheme"] = t.scheme;
+    j["scheme"] = t.scheme.name;
     j["v0"] = t.v0.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(t.v0);
     j["expected"] = word(t.expect);
     if (!m.ran)
@@ -151,82 +152,58 @@ std::string panel_html(const Panel& panel, Part& part, Summary& summary) {
     results.push_back(m);
   }
   part.files.emplace_back("data/" + panel.id + ".csv", csv(start));
-  ++summary.pictures;
-  std::string s =
-      fmt::format("<figure id=\"panel-{}\">\n{}\n<figcaption><strong>{}</strong> {}", panel.id,
-                  embedded(part, panel.id, panel.title, picture(panel, results)), panel.id, escaped(panel.title));
+  std::string detail;
   if (samples != nullptr)
-    s += fmt::format(
+    detail += fmt::format(
         "<br/>{}; {} points from s = {} on, spacing {}{}", escaped(samples->curve.formula), samples->count,
         v0_html(samples->first), v0_html(samples->spacing),
         samples->closed ? ", closed" : fmt::format(", open, {} more samples beyond each end", start.beyond));
-  if (!panel.note.empty()) s += "<br/><em>" + escaped(panel.note) + "</em>";
-  s += "\n<table><thead><tr><th>scheme</th><th>v⁰</th>";
-  s += samples != nullptr ? "<th>points compared</th><th>largest deviation</th>"
-                          : "<th>distance to polygon</th><th>turning</th>";
-  s += "</tr></thead><tbody>\n" + rows + "</tbody></table>\n";
+  if (!panel.note.empty()) detail += "<br/><em>" + escaped(panel.note) + "</em>";
+  detail += "\n<table><thead><tr><th>scheme</th><th>v⁰</th>";
+  detail += samples != nullptr ? "<th>points compared</th><th>largest deviation</th>"
+                               : "<th>distance to polygon</th><th>turning</th>";
+  detail += "</tr></thead><tbody>\n" + rows + "</tbody></table>\n";
   if (samples == nullptr)
-    s += fmt::format("<p class=\"small\">The polygon itself turns by {:.2f}.</p>\n", total_turning(start.values, true));
-  return s + commands(panel, start) + "</figcaption>\n</figure>\n";
-}
-
-// What the 4-point scheme and a wrong v^0 give away.
-std::vector<std::string> findings() {
-  std::vector<std::string> list;
-  const auto panel = [](const char* id) -> const Panel& {
-    for (const Figure& f : figures())
-      for (const Panel& p : f.panels)
-        if (p.id == id) return p;
-    throw std::logic_error("no such panel");
-  };
-  const Panel& cardioid = panel("1a");
-  const Panel& astroid = panel("1c");
-  list.push_back(
-      fmt::format("Figure 1: the 4-point scheme misses the cardioid by {} and the astroid by {} of the curve’s size. "
-                  "From the paper’s 6 points "
-                  "no scheme can return the astroid, because sin 3s vanishes at all of them; 5 or 7 points suffice (<a "
-                  "href=\"#counts\">table</a>).",
-                  number_text(measure(cardioid, cardioid.trials[0]).deviation),
-                  number_text(measure(astroid, astroid.trials[0]).deviation)));
-  const Panel& viviani = panel("7b2");
-  const StartPoints start = start_points(viviani, viviani.trials[0]);
-  kernels::PointSet samples;
-  samples.columns = kernels::default_columns(start.dim);
-  samples.dim = start.dim;
-  samples.values = start.values;
-  const lowering::Fit fit = lowering::fit(*make_scheme(viviani.trials[0].scheme).space, samples, start.closed);
-  list.push_back(
-      fmt::format("Figure 7b: Viviani’s curve has the base frequency 1/2. The fit to 10 samples at spacing 2π/5 finds "
-                  "v⁰ = {}, which is cos(π/5): "
-                  "deviation {}. With v⁰ = cos(2π/5) it is {}; that value belongs to 5 samples at spacing 4π/5.",
-                  fit.v0.empty() ? "nothing" : fit.v0, number_text(measure(viviani, viviani.trials[0]).deviation),
-                  number_text(measure(viviani, viviani.trials[1]).deviation)));
-  return list;
+    detail += fmt::format("<p class=\"small\">The polygon itself turns by {:.2f}.</p>\n",
+                          total_turning(start.values, start.closed));
+  return figure(part, {panel.id, panel.title, detail, commands(panel, start)}, picture(panel, results));
 }
 
 }  // namespace
 
-Part figure_part(const Options& options, Summary& summary) {
-  Part part;
-  part.numbers = nlohmann::ordered_json::array();
-  part.html = "<section id=\"figures\">\n<h2>Figures 1–12</h2>\n";
-  const Part tension = tension_part();
-  for (const Figure& f : figures()) {
-    if (options.progress) options.progress("figure " + std::to_string(f.number));
-    part.html += fmt::format("<section class=\"figure\" id=\"figure-{0}\">\n<h3>Figure {0}: {1}</h3>\n", f.number,
-                             escaped(f.title));
-    if (!f.text.empty()) part.html += "<p>" + escaped(f.text) + "</p>\n";
-    part.html += "<div class=\"panels\">\n";
-    for (const Panel& p : f.panels) part.html += panel_html(p, part, summary);
-    part.html += "</div>\n</section>\n";
-    if (f.number == 10) part.html += tension.html;
-  }
-  part.html += "</section>\n";
-  part.findings = findings();
-  part.files.insert(part.files.end(), tension.files.begin(), tension.files.end());
-  part.findings.insert(part.findings.end(), tension.findings.begin(), tension.findings.end());
-  summary.pictures += static_cast<int>(tension.files.size());
-  return part;
+std::string v0_html(const std::string& v0) { return v0.empty() ? "–" : "<math>" + mathml(v0) + "</math>"; }
+
+const Panel& panel(const std::vector<Figure>& figures, const std::string& id) {
+  for (const Figure& f : figures)
+    for (const Panel& p : f.panels)
+      if (p.id == id) return p;
+  throw std::logic_error("no such panel: " + id);
 }
 
-}  // namespace twoscale::reports::romani2009
+Section figure_section(const Figure& f, const PaperOptions& options) {
+  const std::string number = std::to_string(f.number);
+  if (options.progress) options.progress("figure " + number);
+  Section section{"figure-" + number, "Figure " + number, "Figure " + number + ": " + f.title, {}};
+  Part& part = section.part;
+  part.numbers = nlohmann::ordered_json::array();
+  if (!f.text.empty()) part.html += "<p>" + escaped(f.text) + "</p>\n";
+  part.html += "<div class=\"panels\">\n";
+  for (const Panel& p : f.panels) part.html += panel_html(p, part);
+  part.html += "</div>\n";
+  return section;
+}
+
+std::vector<std::string> figure_method() {
+  return {
+      fmt::format("Masks are lowered to correctly rounded doubles; curves are refined in double precision: {} levels "
+                  "for the numbers, {} for the pictures.",
+                  measured_levels, drawn_levels),
+      "<em>Largest deviation</em>: every refined point is compared with the true curve at the same parameter (not "
+      "with its nearest point); the largest distance, over the diagonal of the curve’s bounding box.",
+      "<em>Distance to polygon</em>: the largest distance of a refined point to the nearest edge, over the diagonal "
+      "of the polygon’s bounding box. <em>Turning</em>: the sum of the absolute turning angles in full turns; what "
+      "a curve turns more than its polygon is oscillation.",
+      "Open curves with a formula: 2l − 2 samples of it beyond each end, so that no end rule is involved."};
+}
+
+}  // namespace twoscale::reports

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The derivation of a scheme from its space as one value, and its renderings for `derive`.
+// The derivation of a scheme from its space as one value, and its renderings: text, JSON, LaTeX, Markdown, HTML.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@
 #include "twoscale/symbolic/quasi_spline.hpp"
 #include "twoscale/symbolic/scheme.hpp"
 
-namespace twoscale::cli {
+namespace twoscale::reports {
 
 struct Derivation {
   std::string scheme;  // name of what was derived
@@ -41,6 +41,8 @@ nlohmann::ordered_json to_json(const Derivation& d);
 std::string to_text(const Derivation& d);
 std::string to_latex(const Derivation& d);
 std::string to_markdown(const Derivation& d);
+// A piece of a page, step by step: sigma; nodes, H w = w_0 e_l, omega; zeta; singular values. Well-formed XML.
+std::string to_html(const Derivation& d);
 
 // Numbers N of points from which a closed polygon sampled at 2 pi/N cannot start: v^0 = cos(2 pi/N) is singular.
 std::vector<long> impossible_polygons(const SingularSet& singular);
@@ -48,4 +50,4 @@ std::vector<long> impossible_polygons(const SingularSet& singular);
 // {"lowest": .., "coefficients": [..]}
 nlohmann::ordered_json laurent_json(const Laurent& a);
 
-}  // namespace twoscale::cli
+}  // namespace twoscale::reports
