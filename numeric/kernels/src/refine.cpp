@@ -122,19 +122,20 @@ std::string boundary_name(Boundary boundary) {
 }
 
 // The windows for n points, or nothing when n is too small at some level.
-std::optional<std::vector<Window>> try_windows(int arity, const std::vector<LevelShape>& shapes, EndPoints ends,
-                                               Shift p, long n, Boundary boundary) {
-  const long m = arity;
+std::optional<std::vector<Window>> try_windows(const std::vector<LevelShape>& shapes, EndPoints ends, Shift p, long n,
+                                               Boundary boundary) {
   const std::size_t levels = shapes.size();
   std::vector<Window> w(levels + 1);
   if (boundary == Boundary::closed) {
     if (n < 3) return std::nullopt;
     long count = n;
-    for (std::size_t k = 0; k <= levels; ++k, count *= m) {
+    for (std::size_t k = 0; k <= levels; ++k) {
       w[k] = {0, count - 1, 0, count - 1};
       if (k == levels) break;
+      const long m = shapes[k].arity;
       w[k].stored_first = std::min(0L, ceil_div(-shapes[k].highest, m));
       w[k].stored_last = std::max(count - 1, floor_div(m * count - 1 - shapes[k].lowest, m));
+      count *= m;
     }
     return w;
   }
@@ -142,13 +143,15 @@ std::optional<std::vector<Window>> try_windows(int arity, const std::vector<Leve
   if (inner < 2) return std::nullopt;
   std::vector<long> first(levels + 1), last(levels + 1);  // inside [t_first, t_last]
   long power = 1;
-  for (std::size_t k = 0; k <= levels; ++k, power *= m) {
+  for (std::size_t k = 0; k <= levels; ++k) {
     first[k] = ceil_div(p.num * (power - 1), p.den);
     last[k] = power * (inner - 1) + floor_div(p.num * (power - 1), p.den);
+    if (k < levels) power *= shapes[k].arity;
   }
   w[levels] = {first[levels], last[levels], first[levels], last[levels]};
   for (std::size_t k = levels; k-- > 0;) {
     const LevelShape& s = shapes[k];
+    const long m = s.arity;
     const long need_first = ceil_div(w[k + 1].first - s.highest, m);
     const long need_last = floor_div(w[k + 1].last - s.lowest, m);
     if (boundary == Boundary::given) {
@@ -167,6 +170,8 @@ std::optional<std::vector<Window>> try_windows(int arity, const std::vector<Leve
     }
   }
   if (boundary == Boundary::given && levels > 0) {
+    if (w[0].first < -ends.left || w[0].last > inner - 1 + ends.right)
+      fail("the stencil of the last level reaches beyond the points given at the ends");
     w[0] = {-ends.left, inner - 1 + ends.right, -ends.left, inner - 1 + ends.right};
   }
   return w;
@@ -174,25 +179,24 @@ std::optional<std::vector<Window>> try_windows(int arity, const std::vector<Leve
 
 }  // namespace
 
-Plan plan_windows(int arity, std::vector<LevelShape> shapes, EndPoints ends, Shift p, std::size_t n,
-                  Boundary boundary) {
+Plan plan_windows(std::vector<LevelShape> shapes, EndPoints ends, Shift p, std::size_t n, Boundary boundary) {
   long power = 1;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    if (power > max_points / arity)
+    if (power > max_points / shapes[k].arity)
       power = max_points;
     else
-      power *= arity;
+      power *= shapes[k].arity;
   }
   if (n > static_cast<std::size_t>(max_points) || power > max_points / std::max(1L, static_cast<long>(n))) {
     fail(std::to_string(n) + " points refined " + std::to_string(shapes.size()) + " times are too many");
   }
   const long points = static_cast<long>(n);
-  if (auto windows = try_windows(arity, shapes, ends, p, points, boundary)) {
+  if (auto windows = try_windows(shapes, ends, p, points, boundary)) {
     return {std::move(shapes), std::move(*windows)};
   }
   long needed = points + 1;
   // A number that suffices exists: each condition compares a constant with a count that grows with n.
-  while (!try_windows(arity, shapes, ends, p, needed, boundary)) ++needed;
+  while (!try_windows(shapes, ends, p, needed, boundary)) ++needed;
   fail(boundary_name(boundary) + " needs at least " + std::to_string(needed) + " points here, not " +
        std::to_string(n) +
        (boundary == Boundary::given
@@ -200,18 +204,20 @@ Plan plan_windows(int arity, std::vector<LevelShape> shapes, EndPoints ends, Shi
             : std::string()));
 }
 
-void tile_windows(int arity, const Plan& plan, Boundary boundary, long first, long last, std::vector<Window>& windows) {
+void tile_windows(const Plan& plan, Boundary boundary, long first, long last, std::vector<Window>& windows) {
   const std::size_t levels = plan.shapes.size();
   windows.resize(levels + 1);
   windows[levels] = {first, last, first, last};
   for (std::size_t k = levels; k-- > 0;) {
     const LevelShape& shape = plan.shapes[k];
     const Window& level = plan.windows[k];
+    const long arity = shape.arity;
     long low = ceil_div(windows[k + 1].first - shape.highest, arity);
     long high = floor_div(windows[k + 1].last - shape.lowest, arity);
     if (k > 0) {
-      const long whole_low = floor_div(low, arity) * arity;
-      const long whole_high = floor_div(high, arity) * arity + arity - 1;
+      const long group = plan.shapes[k - 1].arity;
+      const long whole_low = floor_div(low, group) * group;
+      const long whole_high = floor_div(high, group) * group + group - 1;
       if (boundary == Boundary::closed || whole_low >= level.first) low = whole_low;
       if (boundary == Boundary::closed || whole_high <= level.last) high = whole_high;
     }

@@ -125,8 +125,8 @@ class EdgeRefiner {
     if (levels < 0) detail::fail("levels: " + std::to_string(levels) + " is negative");
     if (static_cast<std::size_t>(levels) > levels_)
       detail::fail(std::to_string(levels) + " levels asked for, but the mask tables have " + std::to_string(levels_));
-    std::vector<detail::LevelShape> shapes(static_cast<std::size_t>(levels), {lowest_, highest_, extension_});
-    return detail::plan_windows(arity_, std::move(shapes), ends_, shift_, n, boundary);
+    std::vector<detail::LevelShape> shapes(static_cast<std::size_t>(levels), {arity_, lowest_, highest_, extension_});
+    return detail::plan_windows(std::move(shapes), ends_, shift_, n, boundary);
   }
 
   void fill(T* stored, const detail::Window& w, std::size_t k, std::size_t dim, Boundary boundary, std::size_t left,

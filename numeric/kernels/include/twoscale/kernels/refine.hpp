@@ -106,6 +106,14 @@ struct Mask {
   long highest() const { return lowest + static_cast<long>(a.size()) - 1; }
 };
 
+/// Weights of points of one level: f_j becomes sum_s weight[s] f_{j+lowest+s}. Limits and derivatives at the points are
+/// such sums (docs/kernels.md).
+template <class T>
+struct PointStencil {
+  long lowest = 0;
+  std::vector<T> weight;
+};
+
 /// The step of one level: mask, and the weights that extend the polygon before it (empty: none).
 template <class T>
 struct LevelRule {
@@ -116,6 +124,7 @@ struct LevelRule {
 namespace detail {
 
 struct LevelShape {
+  int arity = 2;
   long lowest = 0;
   long highest = 0;
   std::size_t extension = 0;  // number of weights
@@ -136,11 +145,11 @@ struct Plan {
 };
 
 // Throws Error (bad_input) naming how many points are needed.
-Plan plan_windows(int arity, std::vector<LevelShape> shapes, EndPoints ends, Shift p, std::size_t n, Boundary boundary);
+Plan plan_windows(std::vector<LevelShape> shapes, EndPoints ends, Shift p, std::size_t n, Boundary boundary);
 
 // What the points first..last of level K depend on: windows[k] for k = 0..K. Where the level has more points, a window
-// begins and ends with whole groups of `arity` points.
-void tile_windows(int arity, const Plan& plan, Boundary boundary, long first, long last, std::vector<Window>& windows);
+// begins and ends with whole groups of the points that come from one.
+void tile_windows(const Plan& plan, Boundary boundary, long first, long last, std::vector<Window>& windows);
 
 [[noreturn]] void fail(const std::string& message);
 void check_mask(int arity, std::size_t coefficients);
@@ -340,11 +349,12 @@ namespace detail {
 // A scheme over T, ready to run.
 template <class T>
 struct Levels {
-  int arity = 2;
   T zero, two, minus_one;
   std::vector<Step<T>> steps;             // of the levels of the table, then of the limit
   std::vector<std::vector<T>> extension;  // likewise
   std::vector<LevelShape> shapes;         // likewise
+  std::optional<Step<T>> finish;          // after the last level
+  LevelShape finish_shape;
 
   std::size_t row(std::size_t k) const { return std::min(k, steps.size() - 1); }
 };
@@ -382,7 +392,7 @@ class Tile {
                     out + static_cast<std::size_t>(i - first) * job.out_stride);
       return;
     }
-    tile_windows(job.levels->arity, plan, job.boundary, first, last, windows_);
+    tile_windows(plan, job.boundary, first, last, windows_);
     layout(job, width, out, first);
     // Level 0: where it lies, or gathered.
     const Window& base = windows_[0];
@@ -433,11 +443,14 @@ class Tile {
     std::size_t stride = 0;
   };
 
-  static const Step<T>& step(const Job<T>& job, std::size_t k) { return job.levels->steps[job.levels->row(k)]; }
+  static const Step<T>& step(const Job<T>& job, std::size_t k) {
+    const bool last = k + 1 == job.plan->shapes.size();
+    return last && job.levels->finish ? *job.levels->finish : job.levels->steps[job.levels->row(k)];
+  }
 
   // Rows of the last level on their way past the caches: about chunk_values numbers, whole lines of the output.
   static long chunk_rows(const Job<T>& job, std::size_t width) {
-    const std::size_t unit = 32 * static_cast<std::size_t>(job.levels->arity);
+    const std::size_t unit = 32 * static_cast<std::size_t>(job.plan->shapes.back().arity);
     return static_cast<long>(unit * std::max<std::size_t>(1, job.chunk_values / (unit * width)));
   }
 
@@ -464,7 +477,8 @@ class Tile {
     // The last level is written to its place directly, or by way of a chunk.
     direct_ = true;
     if constexpr (is_vectorised<T>) {
-      const bool aligned = reinterpret_cast<std::uintptr_t>(out) % 64 == 0 && first % job.levels->arity == 0;
+      const bool aligned =
+          reinterpret_cast<std::uintptr_t>(out) % 64 == 0 && first % job.plan->shapes.back().arity == 0;
       const std::size_t in_stride = levels == 1 && !gathered_ ? job.stride : width;
       direct_ = !job.stream || (aligned && step(job, levels - 1).can_stream(width, in_stride, job.out_stride));
     }
@@ -539,10 +553,11 @@ class Refiner {
   /// Coefficients of `table` through convert(text, value). Throws Error (bad_input) as validate does.
   template <class Convert>
   Refiner(const MaskTable& table, Convert convert)
-      : levels_{table.arity,
-                convert(std::string("0"), 0.0),
+      : levels_{convert(std::string("0"), 0.0),
                 convert(std::string("2"), 2.0),
                 convert(std::string("-1"), -1.0),
+                {},
+                {},
                 {},
                 {},
                 {}} {
@@ -570,6 +585,19 @@ class Refiner {
     if (threads < 0) detail::fail("threads: " + std::to_string(threads) + " is negative");
     threads_ = threads;
     workers_.reset();
+  }
+
+  /// A stencil for the points of the last level: limits or derivatives come out in their place. Closed polygons and
+  /// Boundary::given only: beyond other ends the limit is not that of the scheme. Nothing: no stencil.
+  void set_finish(const std::optional<PointStencil<T>>& stencil) {
+    key_.reset();
+    levels_.finish.reset();
+    if (!stencil) return;
+    if (stencil->weight.empty()) detail::fail("a stencil without weights");
+    Mask<T> mask{1, 1 - stencil->lowest - static_cast<long>(stencil->weight.size()), stencil->weight};
+    std::reverse(mask.a.begin(), mask.a.end());
+    levels_.finish_shape = {1, mask.lowest, mask.highest(), 0};
+    levels_.finish.emplace(mask);
   }
 
   /// Points that Boundary::given takes beyond the ends; the same for every number of levels.
@@ -641,7 +669,7 @@ class Refiner {
   void add(const LevelRule<T>& rule) {
     levels_.steps.emplace_back(rule.mask);
     levels_.extension.push_back(rule.extension);
-    levels_.shapes.push_back({rule.mask.lowest, rule.mask.highest(), rule.extension.size()});
+    levels_.shapes.push_back({rule.mask.arity, rule.mask.lowest, rule.mask.highest(), rule.extension.size()});
   }
 
   detail::Plan make_plan(std::size_t n, int levels, Boundary boundary) const {
@@ -652,7 +680,12 @@ class Refiner {
     }
     std::vector<detail::LevelShape> shapes;
     for (std::size_t k = 0; k < static_cast<std::size_t>(levels); ++k) shapes.push_back(levels_.shapes[levels_.row(k)]);
-    return detail::plan_windows(levels_.arity, std::move(shapes), ends_, shift_, n, boundary);
+    if (levels_.finish) {
+      if (boundary == Boundary::linear || boundary == Boundary::space)
+        detail::fail("limits and derivatives need a closed polygon or given points beyond the ends");
+      shapes.push_back(levels_.finish_shape);
+    }
+    return detail::plan_windows(std::move(shapes), ends_, shift_, n, boundary);
   }
 
   // The plan, made anew when it is not that of the call before. Returns the whole output.
@@ -709,7 +742,7 @@ class Refiner {
 
   void run_tiles(detail::Job<T>& job, long first, long last, std::size_t dim, std::span<T> out) {
     const long count = last - first + 1;
-    const long m = levels_.arity;
+    const long m = plan_.shapes.empty() ? 1 : plan_.shapes.back().arity;
     job.chunk_values = cutting_.chunk_values;
     job.stream = cutting_.stream.value_or(out.size_bytes() > detail::streamed_from());
     Grid g{&job, &tiles_, first, last, 0, 0, dim, std::min(dim, cutting_.columns), 1};
