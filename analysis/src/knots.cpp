@@ -205,6 +205,38 @@ Decision decide_reproduction(const Scheme& scheme, const std::string& subject) {
   return d;
 }
 
+// The smallest interval of vertices of the data, for all knots and edge parameters, outside of which the limit of the
+// data 1 at x_0 and 0 elsewhere vanishes: points -l..h that are not 0 make points -(2l + 2 highest - 1)..2h + 1 - 2
+// lowest of the next level, so that after k steps they end at (2^k - 1)(1 - 2 highest) and (2^k - 1)(1 - 2 lowest). On
+// equal knots the ends are attained where the mask has this support: its first and last coefficients are not 0.
+Decision decide_support(const Scheme& scheme, const Scheme& uniform, const std::string& subject) {
+  Decision d;
+  d.claim = "support";
+  d.subject = subject;
+  d.domain = "all knots and edge parameters, in vertices of the data, attained on equal knots";
+  const std::size_t dots = subject.find("..");
+  if (dots == std::string::npos) bad_input("a support a..b is expected, not", subject);
+  const long from = Rational::parse(subject.substr(0, dots)).to_long();
+  const long to = Rational::parse(subject.substr(dots + 2)).to_long();
+  long lowest = 0, highest = 0;
+  const auto read = [&](const std::vector<Stencil>& phases) {
+    const Stencil& odd = phases[1];
+    lowest = std::min(lowest, odd.lowest);
+    highest = std::max(highest, odd.lowest + static_cast<long>(odd.blocks.size()) - 1);
+  };
+  read(scheme.phases);
+  for (const auto& piece : scheme.pieces) read(piece.phases);
+  const Laurent mask = symbol(uniform);
+  if (mask.lowest() != 1 - 2 * highest || mask.highest() != 1 - 2 * lowest) {
+    d.witness = "the mask on equal knots is shorter than the rule";
+    return d;
+  }
+  const bool same = from == mask.lowest() && to == mask.highest();
+  d.verdict = same ? Verdict::proved : Verdict::refuted;
+  if (!same) d.witness = "it is " + std::to_string(mask.lowest()) + ".." + std::to_string(mask.highest());
+  return d;
+}
+
 // The order that a claim `continuity` names.
 long smoothness_order(const std::string& subject) { return subject.empty() ? 0 : Rational::parse(subject).to_long(); }
 
@@ -224,6 +256,8 @@ Proof prove_on_knots(const Scheme& scheme, const std::vector<Claim>& claims) {
       d.domain = "all knots and edge parameters";
     } else if (c.name == "reproduces") {
       d = decide_reproduction(scheme, c.subject);
+    } else if (c.name == "support") {
+      d = decide_support(scheme, uniform, c.subject);
     } else if (c.name == "continuity") {
       const long l = smoothness_order(c.subject);
       d = decide_junction(scheme, l).decision;
@@ -235,7 +269,7 @@ Proof prove_on_knots(const Scheme& scheme, const std::vector<Claim>& claims) {
         d.witness = "equal knots, " + uniform.id + (between.witness.empty() ? "" : ": " + between.witness);
       }
     } else {
-      bad_input("on arbitrary knots interpolatory, reproduces and continuity can be decided, not", c.name);
+      bad_input("on arbitrary knots interpolatory, reproduces, support and continuity can be decided, not", c.name);
     }
     for (const auto& e : d.supporting)
       if (std::find(entries.begin(), entries.end(), e) == entries.end()) entries.push_back(e);

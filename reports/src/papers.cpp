@@ -3,6 +3,7 @@
 
 #include "twoscale/reports/beccari2007.hpp"
 #include "twoscale/reports/jeong2013.hpp"
+#include "twoscale/reports/nuli.hpp"
 #include "twoscale/reports/romani2009.hpp"
 
 namespace twoscale::reports {
@@ -17,6 +18,10 @@ const std::vector<Paper>& papers() {
        "B. Jeong, Y. J. Lee, J. Yoon: A family of non-stationary subdivision schemes reproducing exponential "
        "polynomials",
        "surface", jeong2013::write_report},
+      {"nuli",
+       "C. V. Beccari, G. Casciola, L. Romani: Non-uniform interpolatory curve subdivision with edge parameters built "
+       "upon compactly supported fundamental splines",
+       "polynomial", nuli::write_report},
       {"romani2009",
        "L. Romani: From approximating subdivision schemes for exponential splines to high-performance interpolating "
        "algorithms",

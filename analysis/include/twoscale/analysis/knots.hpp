@@ -50,8 +50,8 @@ struct JunctionVerdict {
 // Are all eigenvalues at a junction but 1, .., 2^{-l} smaller than 2^{-l}, for all alpha > 0 and edge parameters?
 JunctionVerdict decide_junction(const Scheme& scheme, long l);
 
-// Claims of schemes on knots, with certificate: interpolatory; reproduces=1,x,..; continuity=l. Throws Error(bad_input)
-// for other claims.
+// Claims of schemes on knots, with certificate: interpolatory; reproduces=1,x,..; support=a..b; continuity=l. Throws
+// Error(bad_input) for other claims.
 Proof prove_on_knots(const Scheme& scheme, const std::vector<Claim>& claims);
 
 // The stationary scheme on equal knots with all edge parameters at rest. Throws Error(bad_input) for uniform schemes.

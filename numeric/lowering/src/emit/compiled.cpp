@@ -110,16 +110,6 @@ constexpr std::string_view c_pairs = R"(
 // Numbers of twice the precision, hi + lo. The product is right because fma rounds once.
 typedef struct { double hi, lo; } @_pair;
 
-static inline @_pair @_times(@_pair s, double x)
-{
-    const double p = s.hi * x;
-    const double e = fma(s.hi, x, -p) + s.lo * x;
-    @_pair r;
-    r.hi = p + e;
-    r.lo = e - (r.hi - p);
-    return r;
-}
-
 // s*x + c
 static inline @_pair @_step(@_pair s, double x, @_pair c)
 {
@@ -137,6 +127,18 @@ static inline @_pair @_step(@_pair s, double x, @_pair c)
 }
 )";
 
+constexpr std::string_view c_times = R"(
+static inline @_pair @_times(@_pair s, double x)
+{
+    const double p = s.hi * x;
+    const double e = fma(s.hi, x, -p) + s.lo * x;
+    @_pair r;
+    r.hi = p + e;
+    r.lo = e - (r.hi - p);
+    return r;
+}
+)";
+
 class C final : public Braces {
  public:
   using Braces::Braces;
@@ -150,6 +152,7 @@ class C final : public Braces {
            number_of(u) + " };\n";
     out += with_prefix("#define @_p (", u.prefix) + ratio(u.shift) + ")\n";
     if (u.has_pairs()) out += with_prefix(c_pairs, u.prefix);
+    if (u.has_times()) out += with_prefix(c_times, u.prefix);
     out += solvers(u);
     if (!u.levels.empty()) {
       const auto function = [&](const std::string& name, const std::vector<std::string>& arguments,
@@ -221,15 +224,6 @@ constexpr Real product_error(const Real& a, const Real& b, const Real& p)
     return ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2;
 }
 
-template <class Real>
-constexpr pair<Real> times(const pair<Real>& s, const Real& x)
-{
-    const Real p = s.hi * x;
-    const Real e = product_error<Real>(s.hi, x, p) + s.lo * x;
-    const Real hi = p + e;
-    return {hi, e - (hi - p)};
-}
-
 // s*x + c
 template <class Real>
 constexpr pair<Real> step(const pair<Real>& s, const Real& x, const pair<Real>& c)
@@ -251,6 +245,17 @@ constexpr pair<Real> exact(long long n)
     const Real hi = Real(n);
     if constexpr (std::is_floating_point_v<Real>) return {hi, Real(n - static_cast<long long>(hi))};
     else return {hi, Real(0)};
+}
+)";
+
+constexpr std::string_view cpp_times = R"(
+template <class Real>
+constexpr pair<Real> times(const pair<Real>& s, const Real& x)
+{
+    const Real p = s.hi * x;
+    const Real e = product_error<Real>(s.hi, x, p) + s.lo * x;
+    const Real hi = p + e;
+    return {hi, e - (hi - p)};
 }
 )";
 
@@ -297,6 +302,7 @@ class Cpp final : public Braces {
     if (u.has_pairs() || !u.levels.empty()) {
       out += "\nnamespace detail {\n";
       if (u.has_pairs()) out += cpp_pairs;
+      if (u.has_times()) out += cpp_times;
       if (roots) out += cpp_root;
       out += solvers(u) + "\n}  // namespace detail\n";
     }
@@ -383,15 +389,6 @@ float @_product_error(float a, float b, float p)
     return e;
 }
 
-vec2 @_times(vec2 s, float x)
-{
-    @_PRECISE float p = s.x * x;
-    @_PRECISE float e = @_product_error(s.x, x, p) + s.y * x;
-    @_PRECISE float hi = p + e;
-    @_PRECISE float lo = e - (hi - p);
-    return vec2(hi, lo);
-}
-
 // s*x + c
 vec2 @_step(vec2 s, float x, vec2 c)
 {
@@ -404,6 +401,17 @@ vec2 @_step(vec2 s, float x, vec2 c)
     @_PRECISE float w = sum - t;
     @_PRECISE float lo = (t - (sum - w)) + (low - w);
     return vec2(sum, lo);
+}
+)";
+
+constexpr std::string_view glsl_times = R"(
+vec2 @_times(vec2 s, float x)
+{
+    @_PRECISE float p = s.x * x;
+    @_PRECISE float e = @_product_error(s.x, x, p) + s.y * x;
+    @_PRECISE float hi = p + e;
+    @_PRECISE float lo = e - (hi - p);
+    return vec2(hi, lo);
 }
 )";
 
@@ -425,6 +433,7 @@ class Glsl final : public Braces {
     out += "const int " + u.prefix + "_size = " + number_of(u) + ";\n";
     out += "const float " + u.prefix + "_p = " + ratio(u.shift) + ";\n";
     if (u.has_pairs()) out += with_prefix(glsl_pairs, u.prefix);
+    if (u.has_times()) out += with_prefix(glsl_times, u.prefix);
     out += solvers(u);
     if (!u.levels.empty()) {
       const std::string type = "float[" + count + "]";

@@ -24,14 +24,6 @@ def _@_product_error(a, b, p):
     b2 = b - b1
     return ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
 
-
-def _@_times(s, x):
-    p = s[0] * x
-    e = _@_product_error(s[0], x, p) + s[1] * x
-    hi = p + e
-    return hi, e - (hi - p)
-
-
 # s*x + c
 def _@_step(s, x, c):
     p = s[0] * x
@@ -42,6 +34,15 @@ def _@_step(s, x, c):
     hi = t + low
     w = hi - t
     return hi, (t - (hi - w)) + (low - w)
+)";
+
+constexpr std::string_view python_times = R"(
+
+def _@_times(s, x):
+    p = s[0] * x
+    e = _@_product_error(s[0], x, p) + s[1] * x
+    hi = p + e
+    return hi, e - (hi - p)
 )";
 
 constexpr std::string_view python_newton = R"(
@@ -84,6 +85,7 @@ class Python final : public Dialect {
     out += u.prefix + "_size = " + std::to_string(u.size) + "\n";
     out += u.prefix + "_p = " + (u.shift.is_integer() ? u.shift.to_string() + ".0" : u.shift.to_string()) + "\n";
     if (u.has_pairs()) out += with_prefix(python_pairs, u.prefix);
+    if (u.has_times()) out += with_prefix(python_times, u.prefix);
     for (const Level& level : u.levels) {
       if (!level.relation) continue;
       const Body b = body(*level.relation);
@@ -137,13 +139,6 @@ class Python final : public Dialect {
 
 constexpr std::string_view julia_pairs = R"(
 # Numbers of twice the precision, (hi, lo); fma rounds once.
-function @_times(s, x)
-    p = s[1] * x
-    e = fma(s[1], x, -p) + s[2] * x
-    hi = p + e
-    return (hi, e - (hi - p))
-end
-
 # s*x + c
 function @_step(s, x, c)
     p = s[1] * x
@@ -154,6 +149,15 @@ function @_step(s, x, c)
     hi = t + low
     w = hi - t
     return (hi, (t - (hi - w)) + (low - w))
+end
+)";
+
+constexpr std::string_view julia_times = R"(
+function @_times(s, x)
+    p = s[1] * x
+    e = fma(s[1], x, -p) + s[2] * x
+    hi = p + e
+    return (hi, e - (hi - p))
 end
 )";
 
@@ -197,6 +201,7 @@ class Julia final : public Dialect {
     out += "const " + u.prefix + "_p = " + (u.shift.is_integer() ? u.shift.to_string() + ".0" : u.shift.to_string()) +
            "\n";
     if (u.has_pairs()) out += with_prefix(julia_pairs, u.prefix);
+    if (u.has_times()) out += with_prefix(julia_times, u.prefix);
     for (const Level& level : u.levels) {
       if (!level.relation) continue;
       const Body b = body(*level.relation);
@@ -256,13 +261,6 @@ function @_product_error(a$n$, b$n$, p$n$)$rn$ {
   return ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2;
 }
 
-function @_times(s$p$, x$n$)$rp$ {
-  const p = s[0] * x;
-  const e = @_product_error(s[0], x, p) + s[1] * x;
-  const hi = p + e;
-  return [hi, e - (hi - p)];
-}
-
 // s*x + c
 function @_step(s$p$, x$n$, c$p$)$rp$ {
   const p = s[0] * x;
@@ -273,6 +271,15 @@ function @_step(s$p$, x$n$, c$p$)$rp$ {
   const hi = t + low;
   const w = hi - t;
   return [hi, (t - (hi - w)) + (low - w)];
+}
+)";
+
+constexpr std::string_view javascript_times = R"(
+function @_times(s$p$, x$n$)$rp$ {
+  const p = s[0] * x;
+  const e = @_product_error(s[0], x, p) + s[1] * x;
+  const hi = p + e;
+  return [hi, e - (hi - p)];
 }
 )";
 
@@ -317,6 +324,7 @@ class JavaScript final : public Dialect {
     if (u.has_pairs()) {
       if (typed_) out += "\ntype Pair = readonly [number, number];\n";
       out += with_prefix(filled(javascript_pairs, types), u.prefix);
+      if (u.has_times()) out += with_prefix(filled(javascript_times, types), u.prefix);
     }
     for (const Level& level : u.levels) {
       if (!level.relation) continue;

@@ -44,11 +44,14 @@ struct Unit {
   std::vector<std::string> arguments;  // of mask: levels, constants, local parameters
   std::vector<Branch> branches;
 
-  bool has_pairs() const;
-  bool has_relations() const;
+  bool has_pairs() const { return counts(Operation::Kind::pair_step) || has_times(); }
+  bool has_times() const { return counts(Operation::Kind::pair_times); }
   bool uses(const std::string& argument) const;
   std::vector<std::string> level_names() const;  // arguments of next
   std::vector<std::string> start_names() const;  // arguments of start: those without a value, as v_0
+
+ private:
+  bool counts(Operation::Kind kind) const;  // true if some formula has such an operation
 };
 
 // bits: of the significand of the language's real type.
