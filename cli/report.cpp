@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// twoscale report SCHEME|PAPER -o DIR: a self-contained HTML page.
+// twoscale report SCHEME|PAPER|index -o DIR: a self-contained HTML page; --format md, latex: a text instead.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,8 +10,10 @@
 
 #include "session.hpp"
 #include "twoscale/check/check.hpp"
+#include "twoscale/reports/index.hpp"
 #include "twoscale/reports/papers.hpp"
 #include "twoscale/reports/scheme_report.hpp"
+#include "twoscale/reports/status.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -96,27 +98,72 @@ int report_scheme(const std::string& subject, const Values& values, const Common
   return s.all_certificates_valid ? 0 : 1;
 }
 
+int report_index(const Common& common) {
+  const reports::PaperOptions options{check_certificate, progress_of(common)};
+  const reports::IndexSummary s = reports::write_index(common.output, options);
+  clear_progress(options.progress);
+  if (common.format == "json") {
+    nlohmann::ordered_json j = summary_head();
+    j["scheme"] = nullptr;
+    j["index"] = s.index;
+    j["schemes"] = s.schemes;
+    j["papers"] = s.papers;
+    j["figures"] = s.figures;
+    j["certificates_valid"] = s.all_certificates_valid;
+    std::cout << j.dump(1) + "\n";
+  } else if (!common.quiet) {
+    std::cout << fmt::format("{}: {} schemes, {} figures of {} papers, certificates {}\n", s.index, s.schemes,
+                             s.figures, s.papers, s.all_certificates_valid ? "valid" : "NOT valid");
+  }
+  return s.all_certificates_valid ? 0 : 1;
+}
+
+// --format md, latex: to the file -o, or printed.
+int report_text(const std::string& subject, const Common& common) {
+  const bool markdown = common.format == "md";
+  if (reports::find_paper(subject) != nullptr || (subject == "index" && !markdown))
+    bad_input("report " + subject + ": there is a page only, no", common.format);
+  if (subject == "index") {
+    const auto progress = progress_of(common);
+    const std::string text = reports::to_markdown(reports::status_matrix(false, progress));
+    clear_progress(progress);
+    deliver(common, text);
+    return 0;
+  }
+  const Scheme scheme = make_scheme(subject);
+  deliver(common, markdown ? reports::scheme_markdown(scheme) : reports::scheme_latex(scheme));
+  return 0;
+}
+
 }  // namespace
 
 void add_report_command(CLI::App& app, Session& session) {
   auto subject = std::make_shared<std::string>();
   auto values = std::make_shared<Values>();
   CLI::App* c = add_command(app, session, "report",
-                            "write an HTML report with formulas, proofs and figures into the directory -o DIR");
+                            "write an HTML report with formulas, proofs and figures into the directory -o DIR",
+                            {"text", "json", "md", "latex"});
   std::string papers;
   for (const reports::Paper& p : reports::papers()) papers += (papers.empty() ? "" : ", ") + p.name;
-  c->add_option("subject", *subject, "a scheme, or a paper: " + papers)->required()->type_name("SCHEME|PAPER");
+  c->add_option("subject", *subject,
+                "a scheme, a paper (" + papers + "), or index: the status of all schemes and the figures of all papers")
+      ->required()
+      ->type_name("SCHEME|PAPER|index");
   add_values(c, *values);
   c->callback([&session, subject, values] {
     session.keeps_time = true;
     session.action = [&session, subject, values] {
       const Common& common = session.common;
-      if (common.output == "-") bad_input("report: name a directory, -o DIR");
       const reports::Paper* paper = reports::find_paper(*subject);
-      if (paper == nullptr) return report_scheme(*subject, *values, common);
-      if (values->v0 || values->t || !values->at.empty())
-        bad_input("report of a paper takes no values of parameters", *subject);
-      return report_paper(*paper, common);
+      const bool with_values = values->v0 || values->t || !values->at.empty();
+      if (common.format == "md" || common.format == "latex") {
+        if (with_values) bad_input("report --format " + common.format + " takes no values of parameters", *subject);
+        return report_text(*subject, common);
+      }
+      if (common.output == "-") bad_input("report: name a directory, -o DIR");
+      if (paper == nullptr && *subject != "index") return report_scheme(*subject, *values, common);
+      if (with_values) bad_input("report of a paper takes no values of parameters", *subject);
+      return paper != nullptr ? report_paper(*paper, common) : report_index(common);
     };
   });
 }

@@ -8,6 +8,7 @@
 #include "twoscale/kernels/export/table_writer.hpp"
 #include "twoscale/kernels/write_file.hpp"
 #include "twoscale/lowering/emit.hpp"
+#include "twoscale/lowering/filter_table.hpp"
 #include "twoscale/lowering/normalised.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::string prefix;
   std::string normalisation = "arity";
   bool evaluator = false;
+  long points = 8;
 };
 
 // For people: the facts, then one line a coefficient with the decimal points in one column.
@@ -96,13 +98,16 @@ int run(const Options& o, const Common& common) {
   lowering::LowerOptions options;
   options.levels = o.levels;
   options.digits = o.doubles ? 0 : o.digits;
-  const kernels::MaskTable t = lowering::lower_normalised(s, normalisation, b, options);
+  const kernels::MaskTable t = common.format == "pywavelets"
+                                   ? lowering::lower_filters(s, complete(symbol(s), Space()).bank, b, options)
+                                   : lowering::lower_normalised(s, normalisation, b, options);
   if (common.format == "text") {
     deliver(common, table_text(t));
   } else {
     kernels::TableOptions writer;
     writer.hex_float = o.hex;
     writer.prefix = o.prefix;
+    writer.points = o.points;
     kernels::write_file(common.output, kernels::write_table(t, common.format, writer));
   }
   return 0;
@@ -136,8 +141,12 @@ void add_table_command(CLI::App& app, Session& session) {
           ->type_name("N");
   CLI::Option* doubles =
       c->add_flag("--double", o->doubles, "correctly rounded doubles, shortest texts")->excludes(digits);
-  CLI::Option* hex = c->add_flag("--hex", o->hex, "C and C++: hexadecimal floating-point literals");
+  CLI::Option* hex = c->add_flag("--hex", o->hex, "C, C++, stencil: hexadecimal floating-point literals");
   c->add_option("--prefix", o->prefix, "prefix (C++: namespace) of all names in program text")->type_name("NAME");
+  CLI::Option* points =
+      c->add_option("--points", o->points, "stencil, matrixmarket: points of the closed polygon, 8 by default")
+          ->check(CLI::Range(3, 1 << 24))
+          ->type_name("N");
   c->add_flag(
        "--evaluator", o->evaluator,
        "not a table but a program that computes the masks for any values of the parameters, which may be left open "
@@ -146,7 +155,8 @@ void add_table_command(CLI::App& app, Session& session) {
       ->excludes(digits)
       ->excludes(normalisation)
       ->excludes(doubles)
-      ->excludes(hex);
+      ->excludes(hex)
+      ->excludes(points);
   c->callback([&session, o] { session.action = [&session, o] { return run(*o, session.common); }; });
 }
 

@@ -155,12 +155,14 @@ const tensionScale = {
 };
 const linearScale = (low, high) => ({from: (s) => low + (high - low) * s, to: (x) => (x - low) / (high - low)});
 
-function scaleOf(parameter) {
-  return parameter.low === undefined ? tensionScale : linearScale(parameter.low, parameter.high);
+function scaleOf(p) {
+  if (p.low !== undefined) return linearScale(p.low, p.high);
+  return {from: (s) => p.scale * tensionScale.from(s) + p.offset, to: (x) => tensionScale.to((x - p.offset) / p.scale)};
 }
 
-// Fills `root` for a scheme. config: {command, points, levels: [{name, label, value, low, high}], constants: [the same],
-// locals: [{name, label, offsets, rest, low, high}], refinements}.
+// Fills `root` for a scheme. config: {command, points, refinements, mostRefinements,
+//   levels: [{name, label, value, low, high, fixed, scale, offset}], with value = scale*v^0 + offset,
+//   constants: [{name, label, value, low, high}], locals: [{name, label, offsets, rest, low, high}]}.
 function interactiveCurve(root, scheme, config) {
   let points = config.points.map((p) => p.slice());
   let selected = 0;  // an edge, for edge parameters
@@ -209,7 +211,7 @@ function interactiveCurve(root, scheme, config) {
   const combLength = control("comb", 0.5, linearScale(0, 1), redraw);
 
   function settings() {
-    return {levels: levels.map((c) => c.value), constants: constants.map((c) => c.value),
+    return {levels: config.levels.map((p, i) => (levels[i].value - p.offset) / p.scale), constants: constants.map((c) => c.value),
       locals: config.locals.map((p, i) => ({offsets: p.offsets, rest: p.rest, values: edges[i]}))};
   }
 
@@ -233,7 +235,7 @@ function interactiveCurve(root, scheme, config) {
       ? `${points.length} points become ${fine.length}. The curve turns by ${turning(fine).toFixed(3)}; its curvature runs `
         + `from ${shown(Math.min(...k))} to ${shown(Math.max(...k))}.`
       : "The scheme does not exist at these values.";
-    const at = config.levels.map((p, i) => `${p.name}=${shown(levels[i].value)}`)
+    const at = config.levels.flatMap((p, i) => (p.fixed ? [] : [`${p.name}=${shown(levels[i].value)}`]))
       .concat(config.constants.map((p, i) => `${p.name}=${shown(constants[i].value)}`));
     command.textContent = `${config.command}${at.length > 0 ? ` --at ${at.join(",")}` : ""} --levels ${used} points.csv`;
   }
@@ -320,11 +322,13 @@ function interactiveCurve(root, scheme, config) {
       config.levels.forEach((p, i) => levels[i].set(p.value));
       config.constants.forEach((p, i) => constants[i].set(p.value));
       edgeControls.forEach((c, i) => c && c.set(config.locals[i].rest));
+      steps.set(config.refinements);
+      combLength.set(0.5);
       fit();
       draw();
     }),
     button("copy points.csv", () => navigator.clipboard.writeText(csv())));
-  const controls = [...levels, ...constants, ...edgeControls.filter(Boolean), steps, combLength].map((c) => c.row);
+  const controls = [...levels.filter((_, i) => !config.levels[i].fixed), ...constants, ...edgeControls.filter(Boolean), steps, combLength].map((c) => c.row);
   root.replaceChildren(svg, element("div", {class: "controls"}, ...controls, buttons, message, element("p", {}, command)));
   fit();
   draw();

@@ -21,7 +21,7 @@ std::string subscripted(const std::string& name, long index) {
 }
 
 std::string block(const std::string& inside) {
-  return "<div class=\"wide\"><math display=\"block\"><mrow>" + inside + "</mrow></math></div>\n";
+  return "<div class=\"wide\"><math displaystyle=\"true\"><mrow>" + inside + "</mrow></math></div>\n";
 }
 
 std::string table(const std::vector<std::vector<std::string>>& rows) {
@@ -64,7 +64,7 @@ std::string mask_html(const std::string& letter, const std::string& plain, const
             equals + mathml(value) + "</mtd></mtr>";
     text += fmt::format("{0}_{1}{2} = {3}\n", plain, i, pair ? fmt::format(" = {}_{}", plain, mirror) : "", value);
   }
-  return "<div class=\"wide\"><math display=\"block\"><mtable displaystyle=\"true\" columnalign=\"right left\" "
+  return "<div class=\"wide\"><math displaystyle=\"true\"><mtable displaystyle=\"true\" columnalign=\"right left\" "
          "class=\"equations\">" +
          rows + "</mtable></math></div>\n<details><summary>The same as text</summary><pre>" + escaped(text) +
          "</pre></details>\n";
@@ -95,9 +95,9 @@ std::string system_html(const Matrix& m, const std::vector<RationalFunction>& rh
                         const std::string& name) {
   return block("<mi>" + name + "</mi><mo>=</mo>" + matrix(m, rhs.size())) +
          block("<mi>" + name + "</mi><mo>&#x2062;</mo><mi>w</mi><mo>=</mo>" + column(rhs) +
-               "<mo>,</mo><mspace width=\"1em\"/><mi>det</mi><mo>&#x2061;</mo><mi>" + name + "</mi><mo>=</mo>" +
-               mathml(determinant.to_string()) + "<mo>,</mo><mspace width=\"1em\"/><mi>w</mi><mo>=</mo>" +
-               column(solution));
+               "<mo>,</mo><mspace width=\"1em\"/><mi>det</mi><mspace width=\"0.25em\"/><mi>" + name +
+               "</mi><mo>=</mo>" + mathml(determinant.to_string()) +
+               "<mo>,</mo><mspace width=\"1em\"/><mi>w</mi><mo>=</mo>" + column(solution));
 }
 
 std::string singular_step(const Derivation& d) {

@@ -22,7 +22,7 @@ std::string figure_of(Part& part, const Drawing& d, const P& picture) {
   const std::string svg = render(picture, ImageFormat::svg);
   const std::string file = "figures/" + d.id + ".svg";
   part.files.emplace_back(file, svg);
-  part.figures.push_back({d.id, d.title, file, d.commands.empty() ? "" : d.commands[0]});
+  part.figures.push_back({d.id, d.title, file, d.commands.empty() ? "" : d.commands[0], d.numbered});
   const std::string title = escaped(d.title);
   return fmt::format(
       "<figure id=\"panel-{}\">\n<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>\n<figcaption>"
@@ -64,6 +64,7 @@ std::string Part::absorb(Part part) {
   exact_runs += part.exact_runs;
   largest_exact_deviation = std::max(largest_exact_deviation, part.largest_exact_deviation);
   certificates_valid = certificates_valid && part.certificates_valid;
+  interactive = interactive || part.interactive;
   return std::move(part.html);
 }
 
@@ -133,6 +134,7 @@ std::string prose(std::string text) {
       text.replace(at, from.size(), to);
   };
   replace(">= ", "≥ ");
+  replace("v^0", "v⁰");
   replace("v0", "v⁰");
   replace("> -1", "> −1");
   replace("= -", "= −");

@@ -29,6 +29,7 @@ struct Part {
   int exact_runs = 0;                 // runs that should return something known
   double largest_exact_deviation = 0;
   bool certificates_valid = true;
+  bool interactive = false;  // it needs the script of curves
 
   // One of the exact runs, and how far it is from what is known, over its size.
   void exact_run(double deviation);

@@ -33,12 +33,14 @@ std::string list(const std::vector<std::string>& items) {
 
 std::string write_page(const std::string& directory, const Page& page) {
   std::string navigation, body;
+  bool interactive = false;
   nlohmann::ordered_json j{{"format", "twoscale/report"}, {"version", 1}};
   j.update(page.numbers);
   for (const Section& s : page.sections) {
     if (empty(s.part)) continue;
     if (!s.label.empty()) navigation += "<li><a href=\"#" + s.id + "\">" + escaped(s.label) + "</a></li>\n";
     body += section_html(s);
+    interactive = interactive || s.part.interactive;
     if (!s.part.numbers.is_null()) j[s.id] = s.part.numbers;
   }
   const std::filesystem::path root(directory);
@@ -56,7 +58,8 @@ std::string write_page(const std::string& directory, const Page& page) {
                           escaped(page.title) + "</title>\n<style>" + asset("style") +
                           "</style>\n</head>\n<body>\n<header>\n<h1>" + escaped(page.title) + "</h1>\n" + page.lead +
                           "</header>\n<nav><ul>\n" + navigation + "</ul></nav>\n<main>\n" + body + "</main>\n<footer>" +
-                          page.footer + "</footer>\n" + script(asset("copy")) + "</body>\n</html>\n");
+                          page.footer + "</footer>\n" + script(asset("copy")) +
+                          (interactive ? script(asset("curve")) : "") + "</body>\n</html>\n");
   return index;
 }
 

@@ -13,7 +13,7 @@ import unittest
 from support import ProgramTest
 
 ROOT = os.environ.get("TWOSCALE_SOURCE_DIR") or os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-PAPERS = ("beccari2007", "jeong2013", "nuli", "romani2009")
+PAPERS = ("beccari2007", "hermite2010", "jeong2013", "nuli", "romani2009")
 UPDATE = "--update" in sys.argv
 
 ITEM = """[[item]]

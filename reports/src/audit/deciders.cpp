@@ -29,12 +29,24 @@ std::string short_text(const RationalFunction& f) {
 // A small rational point where f is defined and not 0. Required: f is not the zero function.
 std::vector<std::pair<std::string, Rational>> point_off(const RationalFunction& f) {
   const std::vector<std::string> names = f.variables();
-  for (long start = 2;; ++start) {
-    std::vector<std::pair<std::string, Rational>> point;
-    long value = start;
-    for (const auto& name : names) point.emplace_back(name, Rational(value++));
+  std::vector<std::pair<std::string, Rational>> point;
+  for (const auto& name : names) point.emplace_back(name, Rational(static_cast<long>(2 + point.size())));
+  const auto good = [&] {
     const auto at = f.evaluate(point);
-    if (at && !at->is_zero()) return point;
+    return at && !at->is_zero();
+  };
+  if (good()) return point;
+  // All points of the grids {2..n}^k, n = 3, 4, ..: on a large one no polynomial but 0 vanishes.
+  for (long n = 3;; ++n) {
+    std::vector<long> digits(names.size(), 2);
+    for (;;) {
+      for (size_t i = 0; i < names.size(); ++i) point[i].second = Rational(digits[i]);
+      if (good()) return point;
+      size_t i = 0;
+      while (i < digits.size() && digits[i] == n) digits[i++] = 2;
+      if (i == digits.size()) break;
+      ++digits[i];
+    }
   }
 }
 

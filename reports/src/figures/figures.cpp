@@ -113,18 +113,32 @@ std::string csv(const StartPoints& start) {
   return kernels::to_csv(set);
 }
 
+// The picture first, then the runs that were measured.
 std::vector<std::string> commands(const Panel& panel, const StartPoints& start) {
-  std::vector<std::string> lines;
+  const std::string ends = start.closed                                   ? ""
+                           : std::holds_alternative<Samples>(panel.start) ? " --open=given"
+                                                                          : " --open=linear";
+  const std::string data = " data/" + panel.id + ".csv";
+  const auto scheme = [](const Trial& t) {
+    return shell_quoted(t.scheme.name) + (t.v0.empty() ? "" : " --v0=" + shell_quoted(t.v0));
+  };
+  std::string values;  // of one scheme
   for (const Trial& t : panel.trials) {
-    const std::string v0 = t.v0.empty() ? "" : " --v0=" + shell_quoted(t.v0);
-    lines.push_back("twoscale refine " + shell_quoted(t.scheme.name) + v0 +
-                    fmt::format(" --levels {}", measured_levels) +
-                    (start.closed                                   ? " --closed"
-                     : std::holds_alternative<Samples>(panel.start) ? " --open=given"
-                                                                    : " --open=linear") +
-                    " data/" + panel.id + ".csv -o curve.csv" +
-                    (t.expect == Expect::impossible ? "   # refused, exit status 2" : ""));
+    if (t.scheme.name != panel.trials[0].scheme.name || t.v0.empty() || t.expect == Expect::impossible) {
+      values.clear();
+      break;
+    }
+    values += (values.empty() ? "" : ",") + t.v0;
   }
+  const bool sweep = panel.trials.size() > 1 && !values.empty();
+  std::vector<std::string> lines;
+  lines.push_back(
+      (sweep ? "twoscale plot sweep " + shell_quoted(panel.trials[0].scheme.name) + " --values=" + shell_quoted(values)
+             : "twoscale plot curve " + scheme(panel.trials[0])) +
+      ends + data + " -o " + panel.id + ".svg");
+  for (const Trial& t : panel.trials)
+    lines.push_back("twoscale refine " + scheme(t) + fmt::format(" --levels {}", measured_levels) + ends + data +
+                    " -o curve.csv" + (t.expect == Expect::impossible ? "   # refused, exit status 2" : ""));
   return lines;
 }
 

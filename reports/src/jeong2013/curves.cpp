@@ -69,12 +69,12 @@ Measures measured(const std::vector<double>& curve, const std::vector<double>& p
   return {area(curve), distance_to_polygon({curve, 2, 0, 1}, polygon, true), total_turning(curve, true)};
 }
 
-std::vector<std::string> refine_commands(const std::vector<Run>& runs, const Polygon& polygon) {
+std::vector<std::string> plot_commands(const std::string& id, const std::vector<Run>& runs, const Polygon& polygon) {
   std::vector<std::string> lines;
   for (const Run& run : runs)
-    lines.push_back("twoscale refine " + shell_quoted(run.scheme.id) +
+    lines.push_back("twoscale plot curve " + shell_quoted(run.scheme.id) +
                     (run.v0.empty() ? "" : " --v0=" + shell_quoted(run.v0)) + fmt::format(" --levels {} ", levels) +
-                    polygon.file + " -o curve.csv");
+                    polygon.file + " -o " + id + ".svg");
   return lines;
 }
 
@@ -121,7 +121,7 @@ std::string panel(const std::string& id, const std::string& title, const std::ve
        "\n<table><thead><tr><th>run</th><th>area</th><th>distance to polygon</th><th>turning</th></tr></thead>"
        "<tbody>\n" +
            rows + "</tbody></table>",
-       refine_commands(runs, start)},
+       plot_commands(id, runs, start)},
       p);
 }
 

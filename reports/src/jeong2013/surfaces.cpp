@@ -199,7 +199,7 @@ std::string surface_html(const Surface& s, Part& part) {
                 {s.id,
                  s.title,
                  html,
-                 {fmt::format("twoscale surface data/{0}.toml --levels {1} -o {0}.obj", s.id, measured_levels),
+                 {fmt::format("twoscale surface data/{0}.toml --levels {1} -o {0}.svg", s.id, measured_levels),
                   fmt::format("twoscale surface data/{}.toml --explain", s.id)}},
                 picture(s, ways[0].refined));
 }
@@ -274,9 +274,9 @@ Section glasses() {
         {id,
          std::string("Vertical t = ") + t,
          "<br/>All rings are circles: spread of their radii at most " + number_text(spread) + ".",
-         {"twoscale refine " + shell_quoted(tension_name(TensionForm::spline, t)) +
+         {"twoscale plot surface " + shell_quoted(tension_name(TensionForm::spline, t)) +
           " --v0 'cosh(1)' --open linear --tensor tension4 --tensor-v0 0 --tensor-closed --levels 4 data/7.csv -o " +
-          id + ".obj"}},
+          id + ".svg"}},
         upright(thinned(glass.grid, *glass.grid.closings)));
   }
   part.files.emplace_back("data/7.csv", kernels::grid_to_bytes(polyhedron, kernels::PointFormat::csv, {}));

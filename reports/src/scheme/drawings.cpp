@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interactive.hpp"
 #include "sections.hpp"
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/kernels/points_io.hpp"
@@ -114,6 +115,12 @@ Picture graph(std::vector<Line> lines) {
 }
 
 }  // namespace
+
+Part play(const Subject& s) {
+  Part part;
+  if (can_be_interactive(s.scheme)) part.html = interactive_html(part, s.scheme, s.binding, {"curve", s.name, polygon});
+  return part;
+}
 
 Part pictures(const Subject& s) {
   Part part;

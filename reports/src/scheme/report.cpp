@@ -80,6 +80,7 @@ SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string&
     page.sections.push_back({id, label, heading, std::move(part)});
   };
   add("definition", "Definition", scheme_page::definition(s));
+  add("play", "Try it", scheme_page::play(s), "Drag the points, move the sliders");
   add("parameters", "Parameters", scheme_page::parameters(s));
   add("derivation", "Derivation", scheme_page::derivation(s));
   tell("claims");

@@ -30,6 +30,7 @@ Part claims(const Subject& s, SchemeReportSummary& summary);
 Part smoothness(const Subject& s);
 Part spectrum(const Subject& s);
 Part masks(const Subject& s);
+Part play(const Subject& s);
 Part pictures(const Subject& s);
 
 }  // namespace twoscale::reports::scheme_page

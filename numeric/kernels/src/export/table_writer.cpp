@@ -10,8 +10,11 @@
 namespace twoscale::kernels {
 
 const std::vector<const TableWriter*>& table_writers() {
-  static const std::vector<const TableWriter*> writers = {&json_table_writer(), &csv_table_writer(), &c_table_writer(),
-                                                          &cpp_table_writer(), &npy_table_writer()};
+  static const std::vector<const TableWriter*> writers = {
+      &json_table_writer(),    &csv_table_writer(),         &c_table_writer(),     &cpp_table_writer(),
+      &python_table_writer(),  &npy_table_writer(),         &julia_table_writer(), &matlab_table_writer(),
+      &glsl_table_writer(),    &typescript_table_writer(),  &latex_table_writer(), &pywavelets_table_writer(),
+      &stencil_table_writer(), &matrixmarket_table_writer()};
   return writers;
 }
 
@@ -30,7 +33,7 @@ std::string write_table(const MaskTable& table, std::string_view format, const T
 }
 
 std::string identifier_of_scheme(std::string_view scheme) {
-  constexpr std::size_t longest = 60;
+  constexpr std::size_t longest = 54;  // with the hash 63, the longest name of MATLAB
   std::string out = "twoscale_";
   std::uint32_t hash = 2166136261u;  // FNV-1a
   for (const char c : scheme) {
@@ -65,6 +68,7 @@ std::string identifier(const std::string& prefix, std::string_view scheme) {
 std::string comment_text(std::string_view text) {
   std::string out;
   for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // one mark for a character of several bytes
     const char shown = c >= 0x20 && c < 0x7f ? c : '?';
     if (!out.empty() && ((out.back() == '*' && shown == '/') || (out.back() == '/' && shown == '*') ||
                          (out.back() == '?' && shown == '?'))) {

@@ -15,8 +15,11 @@
 namespace twoscale::kernels {
 
 struct TableOptions {
-  bool hex_float = false;  ///< C, C++: hexadecimal literals for the doubles
-  std::string prefix;      ///< C, C++: prefix or namespace of all names; empty: made from the scheme id
+  bool hex_float = false;  ///< C, C++, stencil: hexadecimal literals for the doubles
+  /// C, GLSL, stencil: prefix of all names; C++: namespace; Julia: module; MATLAB: struct; LaTeX: label. Empty: made
+  /// from the scheme id.
+  std::string prefix = {};
+  long points = 8;  ///< stencil, matrixmarket: points of the closed polygon
 };
 
 class TableWriter {
@@ -68,5 +71,14 @@ const TableWriter& csv_table_writer();
 const TableWriter& c_table_writer();
 const TableWriter& cpp_table_writer();
 const TableWriter& npy_table_writer();
+const TableWriter& python_table_writer();
+const TableWriter& julia_table_writer();
+const TableWriter& matlab_table_writer();
+const TableWriter& glsl_table_writer();
+const TableWriter& typescript_table_writer();
+const TableWriter& latex_table_writer();
+const TableWriter& pywavelets_table_writer();
+const TableWriter& stencil_table_writer();
+const TableWriter& matrixmarket_table_writer();
 
 }  // namespace twoscale::kernels

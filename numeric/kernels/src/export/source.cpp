@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: 0BSD
-// Literals, comments and names of generated C and C++.
-#include "c_source.hpp"
+// Literals, comments and rows of generated source text.
+#include "source.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include "twoscale/kernels/number_text.hpp"
 #include "twoscale/kernels/refine.hpp"
 
-namespace twoscale::kernels::c_source {
+namespace twoscale::kernels::source {
 namespace {
 
 constexpr int double_digits = 17;
@@ -25,6 +25,21 @@ std::string comment_block(const MaskTable& table) {
   std::string out = "/*\n";
   for (const std::string& line : header_lines(table)) out += " * " + line + "\n";
   return out + " */\n";
+}
+
+std::string comment_lines(const MaskTable& table, std::string_view mark, const std::vector<std::string>& more) {
+  std::string out;
+  const auto add = [&](const std::string& line) { out += std::string(mark) + line + "\n"; };
+  for (const std::string& line : header_lines(table)) add(line);
+  for (const std::string& line : more) add(line);
+  return out;
+}
+
+std::string decimal(double value) { return floating(shortest(value)); }
+
+std::string shift_ratio(const MaskTable& table) {
+  const Shift p = parse_shift(table.shift);
+  return std::to_string(p.num) + (p.den == 1 ? "" : "/" + std::to_string(p.den));
 }
 
 std::string literal(const MaskTable& table, const TableOptions& options, double value, const std::string& text) {
@@ -44,29 +59,34 @@ std::string shift_expression(const MaskTable& table) {
   return p.num < 0 ? std::string("(") + num + ")" : num;
 }
 
-std::string rows(const MaskTable& table, const TableOptions& options, bool long_digits, std::string_view open,
-                 std::string_view close) {
+std::string rows(std::size_t levels, std::size_t count, const RowStyle& style,
+                 const std::function<std::string(std::size_t row, std::size_t column)>& item) {
   constexpr std::size_t width = 100;
-  const TableGrid grid = common_grid(table);
   std::string out;
-  for (std::size_t k = 0; k < grid.value.size(); ++k) {
-    const bool limit = k == table.levels.size();
-    out += limit ? "    /* limit */\n" : "    /* k = " + std::to_string(k) + " */\n";
-    std::string line = "    " + std::string(open);
-    for (std::size_t s = 0; s < grid.value[k].size(); ++s) {
-      std::string item =
-          long_digits ? long_literal(grid.text[k][s]) : literal(table, options, grid.value[k][s], grid.text[k][s]);
-      if (s + 1 < grid.value[k].size()) item += ",";
-      if (s > 0 && line.size() + 1 + item.size() > width) {
+  for (std::size_t k = 0; k <= levels; ++k) {
+    const bool limit = k == levels;
+    out += "    " + std::string(style.comment_open) + (limit ? "limit" : "k = " + std::to_string(k)) +
+           std::string(style.comment_close) + "\n";
+    std::string line = "    " + std::string(style.open);
+    for (std::size_t s = 0; s < count; ++s) {
+      const std::string text = item(k, s) + (s + 1 < count ? "," : "");
+      if (s > 0 && line.size() + 1 + text.size() > width) {
         out += line + "\n";
-        line = "     " + item;
+        line = "     " + text;
       } else {
-        line += (s > 0 ? " " : "") + item;
+        line += (s > 0 ? " " : "") + text;
       }
     }
-    out += line + std::string(close) + (limit ? "\n" : ",\n");
+    out += line + std::string(style.close) + (limit ? "" : std::string(style.between)) + "\n";
   }
   return out;
+}
+
+std::string rows(const MaskTable& table, const TableOptions& options, bool long_digits, const RowStyle& style) {
+  const TableGrid grid = common_grid(table);
+  return rows(table.levels.size(), grid.value[0].size(), style, [&](std::size_t k, std::size_t s) {
+    return long_digits ? long_literal(grid.text[k][s]) : literal(table, options, grid.value[k][s], grid.text[k][s]);
+  });
 }
 
 std::string operation_count(const MaskTable& table) {
@@ -98,4 +118,4 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-}  // namespace twoscale::kernels::c_source
+}  // namespace twoscale::kernels::source
