@@ -9,6 +9,7 @@
 #include <sstream>
 #include <thread>
 
+#include "report_hermite2010.hpp"
 #include "report_jeong2013.hpp"
 #include "session.hpp"
 #include "twoscale/check/check.hpp"
@@ -69,8 +70,10 @@ int report_romani2009(const Common& common) {
 
 // The papers that have a page, and what writes it.
 const std::map<std::string, int (*)(const Common&)>& papers() {
-  static const std::map<std::string, int (*)(const Common&)> map = {{"jeong2013", report_jeong2013},
-                                                                    {"romani2009", report_romani2009}};
+  static const std::map<std::string, int (*)(const Common&)> map = {
+      {"hermite2010", [](const Common& c) { return report_hermite2010(c, check_certificate); }},
+      {"jeong2013", report_jeong2013},
+      {"romani2009", report_romani2009}};
   return map;
 }
 
@@ -117,7 +120,7 @@ void add_report_command(CLI::App& app, Session& session) {
   auto values = std::make_shared<Values>();
   CLI::App* c = add_command(app, session, "report",
                             "write an HTML report with formulas, proofs and figures into the directory -o DIR");
-  c->add_option("subject", *subject, "a scheme, or the paper romani2009 or jeong2013")
+  c->add_option("subject", *subject, "a scheme, or the paper hermite2010, jeong2013 or romani2009")
       ->required()
       ->type_name("SCHEME|PAPER");
   add_values(c, *values);
