@@ -148,8 +148,55 @@ class Refine(Files):
                 self.assertIn("<svg", file.read())
 
     def test_commands_for_scalar_schemes_refuse(self):
-        for command in (["table", "--levels", "2"], ["regularity"], ["prove"]):
-            self.refused(command[0], "hermite-circle", *command[1:])
+        self.refused("table", "hermite-circle", "--levels", "2")
+        self.refused("prove", "hermite-circle", "--claim", "sum-rules=2", naming="sum-rules")
+        self.refused("regularity", "hermite-circle", "--over", "w=[1,2]", naming="--over")
+
+
+class Proofs(Files):
+    def certificate(self, scheme, *claims, status=0):
+        path = self.path("certificate.json")
+        options = [x for c in claims for x in ("--claim", c)]
+        return path, self.twoscale_json("prove", scheme, *options, "--certificate", path, status=status)["claims"]
+
+    def test_claims_and_certificates(self):
+        for scheme, continuity, status in (("hermite-circle", "proved", 0), ("hermite-circle:variant=c2,w=7/5", "proved", 0),
+                                           ("hermite-circle:w=7/5", "refuted", 1)):
+            path, claims = self.certificate(scheme, status=status)
+            verdicts = {(c["claim"], c["subject"]): c["verdict"] for c in claims}
+            self.assertEqual(verdicts.pop(("continuity", "2")), continuity)
+            self.assertEqual(set(verdicts.values()), {"proved"})
+            self.assertIn("valid", self.check(path))
+            self.assertIn("valid", self.twoscale("check", path))
+
+    def test_a_changed_coefficient_is_refused(self):
+        path, _ = self.certificate("hermite-circle", "continuity=2")
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text.replace('"numerators": [\n     "', '"numerators": [\n     "-', 1).replace("--", ""))
+        self.check(path, status=2)  # the seal
+
+    def test_regularity(self):
+        document = self.twoscale_json("regularity", "hermite-circle", "--at", "w=7/5")
+        self.assertEqual((document["format"], document["continuity"], document["geometric"]), ("twoscale/regularity", 1, 2))
+        self.assertIn("r jumps", document["reason"])
+        self.assertEqual(self.twoscale_json("regularity", "hermite-circle")["continuity"], 2)
+        text = self.twoscale("regularity", "hermite-circle:variant=c2,w=7/5")
+        self.assertIn("continuity  C^2 in t", text)
+        self.refused("regularity", "hermite-circle", "--at", "w=0", naming="w")
+        self.refused("regularity", "hermite-circle", "--at", "w=sqrt(2)", naming="rational")
+
+    def test_other_schemes_of_blocks(self):
+        scheme = self.path("h.toml", '[scheme]\nname = "h"\nblock = 2\n'
+                           '[[phase]]\nresidue = 0\nstencil = {"0" = [["1", "0"], ["0", "1"]]}\n'
+                           '[[phase]]\nresidue = 1\nstencil = {"0" = [["1/2", "1/8"], ["-3/2", "-1/4"]], '
+                           '"1" = [["1/2", "-1/8"], ["3/2", "-1/4"]]}\n')
+        claims = self.twoscale_json("prove", scheme)["claims"]
+        self.assertEqual([(c["claim"], c["subject"], c["verdict"]) for c in claims],
+                         [("interpolatory", "", "proved"), ("spectral", "3", "proved")])
+        self.assertIn("undecided", self.twoscale("prove", scheme, "--claim", "continuity=1", status=3))
+        self.assertIn("undecided", self.twoscale("regularity", scheme, status=3))
 
 
 if __name__ == "__main__":

@@ -121,13 +121,20 @@ Layout layout(const kernels::PointSet& points) {
   return at;
 }
 
-// The last vertex repeats the first one.
+// The last vertex repeats the first one: as nearly as two points count as equal, its derivatives to 1e-9.
 bool returns(const kernels::PointSet& points, const Layout& at) {
   const std::size_t last = points.size() - 1;
   if (last == 0) return false;
-  for (const auto* list : {&at.f, &at.p, &at.r})
-    for (const std::size_t c : *list)
-      if (points.values[c] != points.values[last * points.dim + c]) return false;
+  const auto gap = [&](const std::vector<std::size_t>& columns, std::size_t row) {
+    double square = 0;
+    for (const std::size_t c : columns) square += std::pow(points.values[c] - points.values[row * points.dim + c], 2);
+    return std::sqrt(square);
+  };
+  for (const auto* list : {&at.f, &at.p, &at.r}) {
+    double size = 0;
+    for (std::size_t i = 1; i < last; ++i) size = std::max(size, gap(*list, i));
+    if (!(gap(*list, last) <= (list == &at.f ? 1e-14 : 1e-9) * size)) return false;
+  }
   return true;
 }
 
