@@ -3,8 +3,6 @@
 #include "twoscale/analysis/knots.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
-#include <rapidcheck/gtest.h>
 
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/analysis/spectrum.hpp"

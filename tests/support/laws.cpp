@@ -1,37 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// RapidCheck generators for the exact types. RC_PARAMS="max_success=1000" scales the rounds, RC_PARAMS="reproduce=..."
-/// repeats.
-#pragma once
+#include "laws.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <ostream>
-#include <string>
-#include <tuple>
-#include <vector>
-
-#include "twoscale/symbolic/laurent.hpp"
-#include "twoscale/symbolic/space.hpp"
 
 namespace twoscale {
 
-inline void showValue(const Rational& q, std::ostream& out) { out << q.to_string(); }
-inline void showValue(const Polynomial& p, std::ostream& out) { out << p.to_string(); }
-inline void showValue(const RationalFunction& f, std::ostream& out) { out << f.to_string(); }
-inline void showValue(const Laurent& a, std::ostream& out) {
+static void showValue(const Rational& q, std::ostream& out) { out << q.to_string(); }
+static void showValue(const Polynomial& p, std::ostream& out) { out << p.to_string(); }
+static void showValue(const RationalFunction& f, std::ostream& out) { out << f.to_string(); }
+static void showValue(const Laurent& a, std::ostream& out) {
   for (long i = a.lowest(); i <= a.highest(); ++i) out << "(" << a.coefficient(i).to_string() << ")*z^" << i << " + ";
   out << "0";
 }
-inline void showValue(const Space& s, std::ostream& out) { out << "{" << s.to_string() << "}"; }
+static void showValue(const Space& s, std::ostream& out) { out << "{" << s.to_string() << "}"; }
 
-inline void PrintTo(const Rational& q, std::ostream* out) { *out << q.to_string(); }
-inline void PrintTo(const Polynomial& p, std::ostream* out) { *out << p.to_string(); }
-inline void PrintTo(const RationalFunction& f, std::ostream* out) { *out << f.to_string(); }
-inline void PrintTo(const Laurent& a, std::ostream* out) { showValue(a, *out); }
-inline void PrintTo(const Space& s, std::ostream* out) { showValue(s, *out); }
+void PrintTo(const Laurent& a, std::ostream* out) { showValue(a, *out); }
 
 }  // namespace twoscale
 
@@ -146,3 +132,54 @@ struct Arbitrary<twoscale::Space> {
 };
 
 }  // namespace rc
+
+namespace twoscale {
+
+template <>
+Rational draw<Rational>() {
+  return *rc::gen::arbitrary<Rational>();
+}
+template <>
+Polynomial draw<Polynomial>() {
+  return *rc::gen::arbitrary<Polynomial>();
+}
+template <>
+RationalFunction draw<RationalFunction>() {
+  return *rc::gen::arbitrary<RationalFunction>();
+}
+template <>
+Laurent draw<Laurent>() {
+  return *rc::gen::arbitrary<Laurent>();
+}
+template <>
+Space draw<Space>() {
+  return *rc::gen::arbitrary<Space>();
+}
+
+namespace laws {
+
+namespace {
+
+[[noreturn]] void end_round(rc::detail::CaseResult::Type type, const char* text, const char* file, int line) {
+  throw rc::detail::CaseResult(type, std::string(file) + ":" + std::to_string(line) + ": " + text);
+}
+
+}  // namespace
+
+long uniform(long low, long high) { return *rc::uniform(low, high); }
+
+void run(const std::function<void()>& law) { rc::detail::checkGTest(law); }
+
+void require(bool holds, const char* text, const char* file, int line) {
+  if (!holds) end_round(rc::detail::CaseResult::Type::Failure, text, file, line);
+}
+
+void given(bool holds, const char* text, const char* file, int line) {
+  if (!holds) end_round(rc::detail::CaseResult::Type::Discard, text, file, line);
+}
+
+void tag(const std::string& text) { RC_TAG(text); }
+
+}  // namespace laws
+
+}  // namespace twoscale
