@@ -40,7 +40,7 @@ class Accuracy(FilesTest):
         self.all.cases = [case]
         space = {}
         exec(self.all.source(case[0], "python", "e"), space)  # noqa: S102
-        exact = self.all._formula(case[0])  # noqa: SLF001
+        exact = self.all.formula(case[0])
         limit = self.all.bound(case[0]) * U
 
         def worst():
@@ -61,6 +61,22 @@ class Accuracy(FilesTest):
         with mpmath.workdps(50):
             v = space["e_start"](mpmath.mpf(-2) / 5)[0]
             self.assertLess(abs(space["e_mask"](v)[0] + 1 / (8 * v * (1 + v))), mpmath.mpf("1e-49"))
+
+    def test_the_whole_catalogue(self):
+        for entry in self.twoscale_json("list")["entries"]:
+            for name in entry["examples"]:
+                space = {}
+                text = self.twoscale("table", name, "--evaluator", "--format", "python", "--prefix", "e")
+                exec(text, space)  # noqa: S102
+                names = re.search(r"def e_mask\((.*)\):", text).group(1).split(", ")
+                bound = re.search(r"at most (\d+)\*u", re.sub(r"\n#\s*", " ", text))
+                limit = int(bound.group(1)) * U * Fraction(101, 100) if bound else 0
+                exact = self.all.formula(name)
+                for shift in (0.0, 0.09375):
+                    point = [{"v": 0.8125, "d": 0.75, "l": 0.4375, "s": -0.125}.get(n[0], 0.1171875) + shift + i / 32
+                             for i, n in enumerate(names) if n]
+                    for got, value in zip(space["e_mask"](*point), exact(point), strict=True):
+                        self.assertLessEqual(abs(Fraction(got) - value), limit * abs(value), (name, point))
 
     def test_sequence_of_levels_follows_the_table(self):
         for name, v0 in (("interpolating:family=harmonic,l=3", "-2/5"), ("interpolating:family=mixed,l=2,arity=3", "3"),

@@ -74,7 +74,7 @@ class Languages(FilesTest):
         main = self.path("main.cpp", f"{SHIM}{text}\nint main() {{\n{calls}}}\n")
         subprocess.run(["g++", "-std=c++20", "-O1", "-ffp-contract=off", "-U__VERSION__", "-D__VERSION__=450", main, "-o", self.path("program")], check=True)
         lines = subprocess.run([self.path("program")], capture_output=True, text=True, check=True).stdout.splitlines()
-        exact = self.all._formula(name)  # noqa: SLF001
+        exact = self.all.formula(name)
         for v, line in zip(values, lines):
             for got, value in zip(map(float, line.split()), exact((v,))):
                 self.assertLessEqual(abs(Fraction(got) - value), bound * abs(value) / 2 ** 24 * Fraction(101, 100), v)
