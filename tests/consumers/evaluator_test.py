@@ -45,6 +45,31 @@ class Languages(FilesTest):
         result = self.all.c(("gcc", "-std=gnu99", "-O2", "-march=native"))
         self.assertEqual(self.all.failures(result, self.all.exact()), [])
 
+    def test_cpp_with_exact_and_long_numbers(self):
+        name = "interpolating:family=harmonic,l=4"
+        self.path("h.hpp", self.all.source(name, "cpp", "h"))
+        main = self.path("main.cpp", """#include "h.hpp"
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <iomanip>
+#include <iostream>
+using Exact = boost::multiprecision::cpp_rational;
+using Long = boost::multiprecision::cpp_bin_float_100;
+int main() {
+  for (const Exact& x : h::mask<Exact>(Exact(3) / 4)) std::cout << x << " ";
+  std::cout << std::setprecision(100) << "\\n";
+  const Long v = h::start<Long>(Long(-2) / 5)[0];
+  for (const Long& x : h::mask<Long>(v)) std::cout << x << " ";
+}
+""")
+        subprocess.run(["g++", "-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror", "-Wshadow", main, "-o", self.path("program")],
+                       check=True)
+        exact, long = subprocess.run([self.path("program")], capture_output=True, text=True, check=True).stdout.splitlines()
+        self.assertEqual([Fraction(x) for x in exact.split()], self.all.formula(name)((0.75,)))
+        table = self.twoscale_json("table", name, "--v0=-2/5", "--levels", "1", "--digits", "110")
+        for got, text in zip(long.split(), table["levels"][0]["coefficients"], strict=True):
+            self.assertLess(abs(Fraction(got) - Fraction(text)), Fraction(1, 10 ** 95))
+
     @needs("glslangValidator")
     def test_glsl_compiles(self):
         for head in ("#version 130", "#version 450", "#version 300 es\nprecision highp float;",
