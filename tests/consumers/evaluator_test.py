@@ -70,6 +70,21 @@ int main() {
         for got, text in zip(long.split(), table["levels"][0]["coefficients"], strict=True):
             self.assertLess(abs(Fraction(got) - Fraction(text)), Fraction(1, 10 ** 95))
 
+    @needs("tsc", "glslangValidator")
+    def test_the_whole_catalogue_compiles(self):
+        names = [name for entry in self.twoscale_json("list")["entries"] for name in entry["examples"]]
+
+        def emitted(language):
+            return "".join(self.all.source(name, language, f"c{i}") for i, name in enumerate(names))
+        flags = ["-Wall", "-Wextra", "-Werror", "-pedantic", "-Wshadow", "-Wconversion", "-fsyntax-only"]
+        uses = "".join(f"template <class T> auto u{i}() {{ return c{i}::p + double(c{i}::size); }}\n" for i in range(len(names)))
+        for command in (["gcc", "-std=c99", *flags, self.path("all.c", emitted("c"))],
+                        ["g++", "-std=c++20", *flags, self.path("all.cpp", emitted("cpp") + uses)],
+                        ["tsc", "--strict", "--noEmit", "--target", "es2020", self.path("all.ts", emitted("typescript"))],
+                        ["glslangValidator", self.path("all.vert", f"#version 300 es\n{emitted('glsl')}\nvoid main() {{}}\n")]):
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     @needs("glslangValidator")
     def test_glsl_compiles(self):
         for head in ("#version 130", "#version 450", "#version 300 es\nprecision highp float;",
