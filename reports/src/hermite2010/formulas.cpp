@@ -15,7 +15,7 @@ namespace {
 using R = RationalFunction;
 
 std::string name_with(const char* letter, const std::string& index) {
-  return fmt::format("<msub><mi>{}</mi><mn>{}</mn></msub><mo>=</mo>", letter, index);
+  return fmt::format("<msub><mi>{}</mi><mn>{}</mn></msub>", letter, index);
 }
 
 std::string interpolant() {

@@ -48,8 +48,7 @@ std::string closed_forms(const analysis::TensionRates& r) {
   const auto line = [](const char* left, const RationalFunction& f, const char* what) {
     return fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", what, formula(left, f.to_string()));
   };
-  const std::string e = "<msub><mi>e</mi><mi>L</mi></msub><mo>=</mo>",
-                    g = "<msub><mi>e</mi><mi>R</mi></msub><mo>=</mo>";
+  const std::string e = "<msub><mi>e</mi><mi>L</mi></msub>", g = "<msub><mi>e</mi><mi>R</mi></msub>";
   return "<table><thead><tr><th>s = tan(σ/8)</th><th>exactly</th></tr></thead><tbody>\n" +
          line(e.c_str(), r.left,
               "interval of the left half, against the half of the interval: ℓ(1 + e<sub>L</sub>ℓ + …)") +
@@ -68,7 +67,7 @@ std::string experiment(const analysis::TensionRates& rates, nlohmann::ordered_js
   std::string rows;
   Edge l = start, r = start, lr = start;
   double before = 0;
-  for (int k = 1; k <= 12; ++k) {
+  for (int k = 1; k <= 16; ++k) {
     halve(l, true, weight);
     halve(r, false, weight);
     halve(lr, k % 2 == 1, weight);

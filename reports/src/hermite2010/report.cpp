@@ -38,10 +38,9 @@ std::string head(const Summary& s, const std::vector<std::string>& findings) {
 std::string method() {
   return fmt::format(
       "<section id=\"method\">\n<h2>How it was measured</h2>\n<ul>\n<li>Points alone are given; sigma is found by "
-      "Algorithm 1 as "
-      "docs/hermite.md mends it, p and r are those of the circle through the points, if there is one, else of the "
-      "function A "
-      "+ B cos σ + C sin σ through a vertex and its two neighbours.</li>\n<li><em>Distance to polygon</em>: the "
+      "Algorithm 1 as docs/hermite.md mends it, p and r are those of the "
+      "circle through the points, if there is one, else of the circle through a vertex and its two "
+      "neighbours.</li>\n<li><em>Distance to polygon</em>: the "
       "largest distance of a "
       "refined point to the nearest edge, over the diagonal of the polygon’s bounding "
       "box.</li>\n<li><em>Curvature</em>: of the circle "
