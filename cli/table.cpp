@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "local_values.hpp"
 #include "session.hpp"
 #include "twoscale/kernels/export/table_writer.hpp"
 #include "twoscale/kernels/write_file.hpp"
@@ -76,8 +77,31 @@ std::string table_text(const kernels::MaskTable& t) {
 int run_evaluator(const Options& o, const Common& common) {
   const lowering::Language language = lowering::parse_language(common.format);
   const Scheme s = make_scheme(o.scheme);
-  const lowering::Binding b = lowering::bind_some(s, o.values.v0, o.values.t, o.values.named());
-  deliver(common, lowering::emit_evaluator(s, language, {o.prefix, b}));
+  lowering::EmitOptions options;
+  options.prefix = o.prefix;
+  std::vector<std::pair<std::string, std::string>> others;
+  for (const auto& [name, text] : o.values.named()) {
+    const auto parameter = std::find_if(s.parameters.begin(), s.parameters.end(), [&](const Parameter& p) {
+      return p.scope == Parameter::Scope::local && p.name == name;
+    });
+    if (parameter == s.parameters.end()) {
+      others.emplace_back(name, text);
+      continue;
+    }
+    const auto list = expression_list(name, text);
+    if (list.size() != parameter->offsets.size())
+      bad_input("--at: " + name + " takes " + std::to_string(parameter->offsets.size()) + " values, not " +
+                    std::to_string(list.size()),
+                text);
+    for (size_t i = 0; i < list.size(); ++i) {
+      check_local_value(s, *parameter, list[i]);
+      const auto value = list[i].constant();
+      if (!value) bad_input("--at: an evaluator takes numbers", list[i].to_string());
+      options.local_values.emplace_back(local_name(name, parameter->offsets[i]), *value);
+    }
+  }
+  options.values = lowering::bind_some(s, o.values.v0, o.values.t, others);
+  deliver(common, lowering::emit_evaluator(s, language, options));
   return 0;
 }
 

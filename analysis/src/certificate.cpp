@@ -93,4 +93,11 @@ std::string certificate_text(const std::string& label, const std::vector<nlohman
   return sealed(opening(label), claims);
 }
 
+std::string certificate_text(const std::string& label, const nlohmann::ordered_json& hermite,
+                             const std::vector<nlohmann::ordered_json>& claims) {
+  nlohmann::ordered_json doc = opening(label);
+  doc["hermite"] = hermite;
+  return sealed(std::move(doc), claims);
+}
+
 }  // namespace twoscale::analysis

@@ -2,6 +2,7 @@
 #include "twoscale/reports/papers.hpp"
 
 #include "twoscale/reports/beccari2007.hpp"
+#include "twoscale/reports/hermite2010.hpp"
 #include "twoscale/reports/jeong2013.hpp"
 #include "twoscale/reports/nuli.hpp"
 #include "twoscale/reports/romani2009.hpp"
@@ -14,6 +15,8 @@ const std::vector<Paper>& papers() {
        "C. Beccari, G. Casciola, L. Romani: A non-stationary uniform tension controlled interpolating 4-point scheme "
        "reproducing conics",
        "curve", beccari2007::write_report},
+      {"hermite2010", "L. Romani: A circle-preserving C² Hermite interpolatory subdivision scheme with tension control",
+       "circle", hermite2010::write_report},
       {"jeong2013",
        "B. Jeong, Y. J. Lee, J. Yoon: A family of non-stationary subdivision schemes reproducing exponential "
        "polynomials",

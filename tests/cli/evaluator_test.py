@@ -30,12 +30,17 @@ class Accuracy(FilesTest):
             broken[at][-1] *= 1 + (self.all.bound(name) + 1) * 2.0 ** -52
             self.assertEqual([f[0] for f in self.all.failures(broken, exact)], [name] if broken[at][-1] else [])
 
+        i = next(i for i, call in enumerate(self.all.calls()) if call[2] == "next")
+        broken = [list(r) for r in results["python"]]
+        broken[i][0] *= 1 + 2.0 ** -50
+        self.assertEqual(len(self.all.failures(broken, exact)), 1)
+
     def test_twice_the_precision_is_needed(self):
         case = next(c for c in self.all.cases if "harmonic" in c[0])
         self.all.cases = [case]
         space = {}
         exec(self.all.source(case[0], "python", "e"), space)  # noqa: S102
-        exact = self.all._formula(case[0])  # noqa: SLF001
+        exact = self.all.formula(case[0])
         limit = self.all.bound(case[0]) * U
 
         def worst():
@@ -56,6 +61,22 @@ class Accuracy(FilesTest):
         with mpmath.workdps(50):
             v = space["e_start"](mpmath.mpf(-2) / 5)[0]
             self.assertLess(abs(space["e_mask"](v)[0] + 1 / (8 * v * (1 + v))), mpmath.mpf("1e-49"))
+
+    def test_the_whole_catalogue(self):
+        for entry in self.twoscale_json("list")["entries"]:
+            for name in entry["examples"]:
+                space = {}
+                text = self.twoscale("table", name, "--evaluator", "--format", "python", "--prefix", "e")
+                exec(text, space)  # noqa: S102
+                names = re.search(r"def e_mask\((.*)\):", text).group(1).split(", ")
+                bound = re.search(r"at most (\d+)\*u", re.sub(r"\n#\s*", " ", text))
+                limit = int(bound.group(1)) * U * Fraction(101, 100) if bound else 0
+                exact = self.all.formula(name)
+                for shift in (0.0, 0.09375):
+                    point = [{"v": 0.8125, "d": 0.75, "l": 0.4375, "s": -0.125}.get(n[0], 0.1171875) + shift + i / 32
+                             for i, n in enumerate(names) if n]
+                    for got, value in zip(space["e_mask"](*point), exact(point), strict=True):
+                        self.assertLessEqual(abs(Fraction(got) - value), limit * abs(value), (name, point))
 
     def test_sequence_of_levels_follows_the_table(self):
         for name, v0 in (("interpolating:family=harmonic,l=3", "-2/5"), ("interpolating:family=mixed,l=2,arity=3", "3"),
@@ -82,6 +103,28 @@ class Options(FilesTest):
         self.assertEqual(space["twoscale_tension4_start"](), [0.5477225575051661])
         self.refused("table", "four-point", "--at", "w=sqrt(2)/40", "--evaluator", "--format", "c", naming="w")
 
+    def test_values_of_local_parameters_choose_the_piece(self):
+        for values in ("1/3", "1", "0", "1/2"):
+            space = {}
+            exec(self.twoscale("table", "nuli4", "--at", f"lambda={values}", "--evaluator", "--format", "python", "--prefix",  # noqa: S102
+                               "e"), space)
+            exec(self.twoscale("table", "nuli4", "--evaluator", "--format", "python", "--prefix", "f"), space)  # noqa: S102
+            one, other = space["e_mask"](2.0, 1.0, 0.5), space["f_mask"](2.0, 1.0, 0.5, float(Fraction(values)))
+            for a, b in zip(one, other):
+                self.assertAlmostEqual(a, b, 15)
+        exec(self.twoscale("table", "lagrange4", "--at", "d=[1,1,1]", "--evaluator", "--format", "python", "--prefix", "e"), space)  # noqa: S102
+        self.assertEqual(space["e_mask"](), [-1 / 16, 9 / 16, 9 / 16, -1 / 16])
+        self.refused("table", "nuli4", "--at", "d=[1,1]", "--evaluator", "--format", "c", naming="[1,1]")
+        self.refused("table", "nuli4", "--at", "lambda=2", "--evaluator", "--format", "c", naming="lambda")
+        self.refused("table", "nuli4", "--at", "lambda=q", "--evaluator", "--format", "c", naming="q")
+        self.refused("table", "hermite-circle", "--at", "s=[1/3,1/3],w=0", "--evaluator", "--format", "c", naming="w")
+
+    def test_a_frequency_that_is_a_number_is_known_to_start(self):
+        space = {}
+        exec(self.twoscale("table", "interpolating:space=1,x,cos(pi*x/3),sin(pi*x/3)", "--evaluator", "--format", "python",  # noqa: S102
+                           "--prefix", "e"), space)
+        self.assertEqual(space["e_start"](), [0.75 ** 0.5])
+
     def test_every_language_says_what_it_is(self):
         for language in ("c", "cpp", "python", "julia", "glsl", "typescript", "javascript"):
             arguments = ("table", "tension4", "--evaluator", "--format", language)
@@ -98,6 +141,10 @@ class Options(FilesTest):
         self.refused("table", "tension4", "--evaluator", "--format", "c", "--levels", "3", naming="--levels")
         self.refused("table", "tension4", "--evaluator", "--format", "c", "--at", "q=3", naming="q")
         self.refused("table", "tension4", "--v0", "2", naming="--levels")
+        file = self.path("moving.toml", '[scheme]\nname = "moving"\n[parameters.d]\nscope = "local"\noffsets = [0]\n'
+                         '[[phase]]\nresidue = 0\nstencil = {"0" = "d_0", "1" = "1 - d_0"}\n'
+                         '[[phase]]\nresidue = 1\nstencil = {"0" = "1/2", "1" = "1/2"}\n')
+        self.refused("table", file, "--evaluator", "--format", "c", naming="moving")
 
     def test_names_are_identifiers_of_every_language(self):
         file = self.path("words.toml", '[scheme]\nname = "words"\nshift = 0\nsymbol = "(1 + z)*(lambda + (1 - lambda - t1)*z + t1*z^2)"\n'

@@ -45,6 +45,46 @@ class Languages(FilesTest):
         result = self.all.c(("gcc", "-std=gnu99", "-O2", "-march=native"))
         self.assertEqual(self.all.failures(result, self.all.exact()), [])
 
+    def test_cpp_with_exact_and_long_numbers(self):
+        name = "interpolating:family=harmonic,l=4"
+        self.path("h.hpp", self.all.source(name, "cpp", "h"))
+        main = self.path("main.cpp", """#include "h.hpp"
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <iomanip>
+#include <iostream>
+using Exact = boost::multiprecision::cpp_rational;
+using Long = boost::multiprecision::cpp_bin_float_100;
+int main() {
+  for (const Exact& x : h::mask<Exact>(Exact(3) / 4)) std::cout << x << " ";
+  std::cout << std::setprecision(100) << "\\n";
+  const Long v = h::start<Long>(Long(-2) / 5)[0];
+  for (const Long& x : h::mask<Long>(v)) std::cout << x << " ";
+}
+""")
+        subprocess.run(["g++", "-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror", "-Wshadow", main, "-o", self.path("program")],
+                       check=True)
+        exact, long = subprocess.run([self.path("program")], capture_output=True, text=True, check=True).stdout.splitlines()
+        self.assertEqual([Fraction(x) for x in exact.split()], self.all.formula(name)((0.75,)))
+        table = self.twoscale_json("table", name, "--v0=-2/5", "--levels", "1", "--digits", "110")
+        for got, text in zip(long.split(), table["levels"][0]["coefficients"], strict=True):
+            self.assertLess(abs(Fraction(got) - Fraction(text)), Fraction(1, 10 ** 95))
+
+    @needs("tsc", "glslangValidator")
+    def test_the_whole_catalogue_compiles(self):
+        names = [name for entry in self.twoscale_json("list")["entries"] for name in entry["examples"]]
+
+        def emitted(language):
+            return "".join(self.all.source(name, language, f"c{i}") for i, name in enumerate(names))
+        flags = ["-Wall", "-Wextra", "-Werror", "-pedantic", "-Wshadow", "-Wconversion", "-fsyntax-only"]
+        uses = "".join(f"template <class T> auto u{i}() {{ return c{i}::p + double(c{i}::size); }}\n" for i in range(len(names)))
+        for command in (["gcc", "-std=c99", *flags, self.path("all.c", emitted("c"))],
+                        ["g++", "-std=c++20", *flags, self.path("all.cpp", emitted("cpp") + uses)],
+                        ["tsc", "--strict", "--noEmit", "--target", "es2020", self.path("all.ts", emitted("typescript"))],
+                        ["glslangValidator", self.path("all.vert", f"#version 300 es\n{emitted('glsl')}\nvoid main() {{}}\n")]):
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     @needs("glslangValidator")
     def test_glsl_compiles(self):
         for head in ("#version 130", "#version 450", "#version 300 es\nprecision highp float;",
@@ -74,7 +114,7 @@ class Languages(FilesTest):
         main = self.path("main.cpp", f"{SHIM}{text}\nint main() {{\n{calls}}}\n")
         subprocess.run(["g++", "-std=c++20", "-O1", "-ffp-contract=off", "-U__VERSION__", "-D__VERSION__=450", main, "-o", self.path("program")], check=True)
         lines = subprocess.run([self.path("program")], capture_output=True, text=True, check=True).stdout.splitlines()
-        exact = self.all._formula(name)  # noqa: SLF001
+        exact = self.all.formula(name)
         for v, line in zip(values, lines):
             for got, value in zip(map(float, line.split()), exact((v,))):
                 self.assertLessEqual(abs(Fraction(got) - value), bound * abs(value) / 2 ** 24 * Fraction(101, 100), v)

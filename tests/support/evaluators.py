@@ -70,6 +70,7 @@ class Evaluators:
     def __init__(self, directory, long=False):
         self.directory = directory
         self.cases = [case for case in CASES if long or case[0] not in LONG]
+        self.known = {}
 
     def path(self, name, text=None):
         path = os.path.join(self.directory, name)
@@ -84,14 +85,18 @@ class Evaluators:
         return NAMES.get(name, name)
 
     def source(self, name, language, prefix):
-        done = run("twoscale", "table", self.scheme(name), "--evaluator", "--format", language, "--prefix", prefix)
-        if done.returncode != 0:
-            raise RuntimeError(done.stderr)
-        return done.stdout
+        key = name, language, prefix
+        if key not in self.known:
+            done = run("twoscale", "table", self.scheme(name), "--evaluator", "--format", language, "--prefix", prefix)
+            if done.returncode != 0:
+                raise RuntimeError(done.stderr)
+            self.known[key] = done.stdout
+        return self.known[key]
 
     def bound(self, name):
         """What the header states: the relative error in units of u."""
-        text = re.sub(r"\n//\s*", " ", self.source(name, "c", "e"))
+        source = next((text for key, text in self.known.items() if key[0] == name and key[1] != "glsl"), None)
+        text = re.sub(r"\n(//|#)\s*", " ", source or self.source(name, "c", "e"))
         if "every coefficient is exact" in text:
             return 0
         return int(re.search(r"at most (\d+)\*u, u = 2\^-53", text).group(1))
@@ -186,25 +191,29 @@ class Evaluators:
                 values.append(None)
                 continue
             if name not in formulas:
-                formulas[name] = self._formula(name)
+                formulas[name] = self.formula(name)
             values.append(formulas[name](point))
         return values
 
-    def _formula(self, name):
+    def formula(self, name):
+        """Exact values of mask at a point, as a function."""
         document = json.loads(run("twoscale", "show", self.scheme(name), "--format", "json").stdout)
         if "symbol" not in document:
-            return lambda point: self._stencil(name, point)
+            return lambda point: self._stencil(name, document, point)
         texts = document["symbol"]["coefficients"]
         names = [*document["level_variables"], *document["parameters"]]
         code = [compile(re.sub(r"(?<!\*\*)\b(\d+)\b", r"F(\1)", t.replace("^", "**")), name, "eval") for t in texts]
         return lambda point: [eval(c, {"F": Fraction}, dict(zip(names, map(Fraction, point)))) for c in code]
 
-    def _stencil(self, name, point):
-        q = [str(Fraction(x)) for x in point]
-        at = {"lagrange4": lambda: f"d=[{','.join(q)}]", "nuli4": lambda: f"d=[{','.join(q[:3])}],lambda={q[3]}",
-              "nuli6": lambda: f"d=[{','.join(q[:5])}],lambda=[{','.join(q[5:])}]"}.get(
-                  name, lambda: f"w={q[0]},s=[{','.join(q[1:])}]")()
-        done = run("twoscale", "stencil", name, "--at", at, "--format", "json")
+    def _stencil(self, name, document, point):
+        """Of a scheme with local parameters: what the command `stencil` prints."""
+        left = [str(Fraction(x)) for x in point]
+        local = document["local_parameters"]
+        at = [f"{p}={left.pop(0)}" for p in document.get("parameters", []) if p not in local]
+        for p, details in local.items():
+            offsets = details if isinstance(details, list) else details["offsets"]
+            at.append(f"{p}=[{','.join(left.pop(0) for _ in offsets)}]")
+        done = run("twoscale", "stencil", self.scheme(name), "--at", ",".join(at), "--format", "json")
         if done.returncode != 0:
             raise RuntimeError(done.stderr)
         document = json.loads(done.stdout)

@@ -165,6 +165,8 @@ Head read_head(Fields& fields, Meter& meter) {
   head.scheme = label(fields, "scheme");
   if (fields.next_is("matrices")) {
     head.subject = read_family(fields, meter);
+  } else if (fields.next_is("hermite")) {
+    head.subject = read_hermite(fields.take("hermite"), meter);
   } else if (fields.next_is("claims")) {
     head.subject = Standalone{};
   } else {

@@ -36,4 +36,8 @@ std::string certificate_text(const std::string& label, const std::vector<Rationa
 // text.
 std::string certificate_text(const std::string& label, const std::vector<nlohmann::ordered_json>& claims);
 
+// The same about the rules of a Hermite scheme (the member `hermite`).
+std::string certificate_text(const std::string& label, const nlohmann::ordered_json& hermite,
+                             const std::vector<nlohmann::ordered_json>& claims);
+
 }  // namespace twoscale::analysis

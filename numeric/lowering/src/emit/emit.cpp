@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "twoscale/lowering/emit.hpp"
 
+#include <algorithm>
+
 #include "twoscale/kernels/error.hpp"
 #include "twoscale/kernels/export/table_writer.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -44,6 +46,48 @@ std::unique_ptr<emit::Dialect> dialect(Language language, const std::string& pre
   throw std::logic_error("emit: unknown language");
 }
 
+// A local parameter keeps those offsets that have no value. Pieces that hold nowhere any more are left out.
+void put_local_values(Scheme& scheme, const std::vector<std::pair<std::string, Rational>>& values) {
+  if (values.empty()) return;
+  for (Parameter& p : scheme.parameters)
+    std::erase_if(p.offsets, [&](long offset) {
+      return p.scope == Parameter::Scope::local && std::any_of(values.begin(), values.end(), [&](const auto& v) {
+               return v.first == local_name(p.name, offset);
+             });
+    });
+  const auto put = [&](RationalFunction f) {
+    for (const auto& [name, value] : values) {
+      for (const auto& [factor, exponent] : f.denominator_factors())
+        if (RationalFunction(factor).substitute(name, value).is_zero())
+          bad_input("the rule has a pole at this value", name + "=" + value.to_string());
+      f = f.substitute(name, value);
+    }
+    return f;
+  };
+  const auto put_all = [&](std::vector<Stencil>& phases) {
+    for (Stencil& stencil : phases)
+      for (auto& block : stencil.blocks)
+        for (RationalFunction& c : block) c = put(c);
+  };
+  std::vector<Piece> pieces;
+  bool everywhere = false;
+  for (Piece& piece : scheme.pieces) {
+    const RationalFunction where = put(piece.where);
+    const auto sign = where.constant();
+    if (sign && sign->sign() < 0) continue;
+    put_all(piece.phases);
+    if (sign) {
+      scheme.phases = std::move(piece.phases);
+      everywhere = true;
+      break;
+    }
+    pieces.push_back({where.numerator(), std::move(piece.phases)});
+  }
+  if (!everywhere) put_all(scheme.phases);
+  scheme.pieces = std::move(pieces);
+  for (const auto& [name, value] : values) scheme.id += " at " + name + "=" + value.to_string();
+}
+
 }  // namespace
 
 const std::vector<Language>& evaluator_languages() {
@@ -74,7 +118,8 @@ std::string emit_evaluator(const Scheme& given, Language language, const EmitOpt
     if (!rational) bad_input("an evaluator takes rational values of constants only", name);
     constants.emplace_back(name, *rational);
   }
-  const Scheme scheme = with_values(given, constants);
+  Scheme scheme = with_values(given, constants);
+  put_local_values(scheme, options.local_values);
   std::string prefix;
   try {
     prefix = kernels::identifier(options.prefix, scheme.id);

@@ -312,8 +312,9 @@ class JavaScript final : public Dialect {
     std::string out = comment(u, "//") + "\n";
     const std::string type = typed_ ? ": number" : "";
     const std::string open = typed_ ? "export " : "";
+    const std::string pair_type = typed_ ? ": " + prefix_ + "_pair" : "";
     const std::vector<std::pair<std::string, std::string>> types = {
-        {"n", type}, {"rn", type}, {"p", typed_ ? ": Pair" : ""}, {"rp", typed_ ? ": Pair" : ""}};
+        {"n", type}, {"rn", type}, {"p", pair_type}, {"rp", pair_type}};
     const auto constant = [&](const std::string& name, const std::string& value) {
       out += open + "const " + u.prefix + "_" + name + type + " = " + value + ";\n";
     };
@@ -322,7 +323,7 @@ class JavaScript final : public Dialect {
     constant("size", std::to_string(u.size));
     constant("p", u.shift.to_string());
     if (u.has_pairs()) {
-      if (typed_) out += "\ntype Pair = readonly [number, number];\n";
+      if (typed_) out += "\ntype " + prefix_ + "_pair = readonly [number, number];\n";
       out += with_prefix(filled(javascript_pairs, types), u.prefix);
       if (u.has_times()) out += with_prefix(filled(javascript_times, types), u.prefix);
     }
@@ -376,7 +377,7 @@ class JavaScript final : public Dialect {
   std::string helper(const std::string& name) const override { return prefix_ + "_" + name; }
   std::string rounded(const std::string& pair) const override { return pair + "[0]"; }
   std::string let(const std::string& name, bool is_pair, const std::string& value) const override {
-    return "const " + name + (typed_ && is_pair ? ": Pair" : "") + " = " + value + ";";
+    return "const " + name + (typed_ && is_pair ? ": " + prefix_ + "_pair" : "") + " = " + value + ";";
   }
 
  private:

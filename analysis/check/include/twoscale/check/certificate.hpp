@@ -2,6 +2,7 @@
 // Room: the independent checker. What a certificate is about: a mask with its variables, or matrices; spaces.
 #pragma once
 
+#include "twoscale/check/hermite.hpp"
 #include "twoscale/check/json.hpp"
 #include "twoscale/check/knot_rule.hpp"
 #include "twoscale/check/matrix.hpp"
@@ -53,7 +54,7 @@ struct Standalone {};
 /// Everything before "claims".
 struct Head {
   std::string scheme;  ///< a label, not checked
-  std::variant<Certificate, Family, Standalone> subject;
+  std::variant<Certificate, Family, HermiteRules, Standalone> subject;
 };
 
 /// x^j exp(theta x), j < order, exp(theta/m^{k+1}) = product of E_i^frequency[i] over the level variables.

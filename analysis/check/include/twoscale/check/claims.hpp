@@ -38,6 +38,13 @@ struct FamilyContext {
   Meter& meter;
 };
 
+/// For claims about the rules of a Hermite scheme.
+struct HermiteContext {
+  const HermiteRules& rules;
+  Meter& meter;
+  HermiteFacts& facts;
+};
+
 /// What was established: `subject` completes the name of the claim, `evidence` says what was verified, `trusted` are
 /// keys.
 struct Finding {
@@ -56,6 +63,15 @@ Finding check_maximal(const Context& context, Fields& fields, bool proved);
 Finding check_well_defined(const Context& context, Fields& fields, bool proved);
 Finding check_positivity(Meter& meter, Fields& fields, bool proved);
 Finding check_root_bound(Meter& meter, Fields& fields, bool proved);
+
+Finding check_bezier_form(Meter& meter, Fields& fields, bool proved);
+
+/// Rules of a Hermite scheme. The later ones need what the earlier ones establish.
+Finding check_interpolant(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_circle(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_halves(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_hermite_continuity(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_curvature(const HermiteContext& context, Fields& fields, bool proved);
 
 /// The theorem that a claim `positivity` must name: by its method, or by its witness.
 std::string_view positivity_theorem(const Value& claim);

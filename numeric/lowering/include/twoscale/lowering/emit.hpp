@@ -46,11 +46,13 @@ struct EmitOptions {
   // Constants are substituted exactly. A level variable with a value stays an argument of next and mask, since it
   // changes from level to level, and is none of start, which knows v^{[1]} as a correctly rounded double.
   Binding values = {};
+  // Values of local parameters, by their names in the stencils (local_name); substituted exactly.
+  std::vector<std::pair<std::string, Rational>> local_values = {};
 };
 
 // The whole file. Deterministic. Throws Error(bad_input) for a prefix that is no identifier, for a constant that is
-// given and not rational, and for a scheme with local parameters that has another arity than 2 or does not keep its old
-// vertices.
+// given and not rational, for a value at which a rule has a pole, and for a scheme with local parameters that has
+// another arity than 2 or does not keep its old vertices.
 std::string emit_evaluator(const Scheme& scheme, Language language, const EmitOptions& options = {});
 
 }  // namespace twoscale::lowering
