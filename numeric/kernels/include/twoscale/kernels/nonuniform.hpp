@@ -45,8 +45,9 @@ namespace twoscale::kernels {
 
 enum class KnotRule { lagrange4, nuli4, nuli6 };
 
-/// "lagrange4", "nuli4", "nuli6"; anything else throws Error (bad_input).
+/// "lagrange4", "nuli4", "nuli6"; anything else throws Error (bad_input), or is nothing.
 KnotRule parse_knot_rule(std::string_view text);
+std::optional<KnotRule> find_knot_rule(std::string_view text);
 /// Points on each side of the edge that the rule reads: 2 or 3.
 constexpr long half_width(KnotRule rule) { return rule == KnotRule::nuli6 ? 3 : 2; }
 /// The degree of the polynomials that the rule reproduces on arbitrary knots.
