@@ -33,8 +33,8 @@ Section rule_section() {
           "<mi>W</mi><mo stretchy=\"false\">(</mo><mi>a</mi><mo>,</mo><mi>b</mi><mo>,</mo><mi>k</mi><mo>,</mo><mi>m"
           "</mi><mo stretchy=\"false\">)</mo>",
           "a*(a*k+b)*f/(3*(2*a+b)*(k*m*(a+b)+k*a+m*b))") +
-      ", " + formula("<mi>f</mi>", "m^2/(1-m)") + " for m ≤ 1/2, else " +
-      formula("<mi>f</mi>", "(7*m^2-5*m+1)/m") + "; W = 0 for m = 0.</p>\n" +
+      ", " + formula("<mi>f</mi>", "m^2/(1-m)") + " for m ≤ 1/2, else " + formula("<mi>f</mi>", "(7*m^2-5*m+1)/m") +
+      "; W = 0 for m = 0.</p>\n" +
       commands_html({"twoscale stencil nuli4 --at 'd=[1,1/2,3],lambda=1/3'", "twoscale show nuli6"});
   return s;
 }
