@@ -36,7 +36,7 @@ Polynomial sum(const Polynomial& a, const Polynomial& b, const Integer& factor, 
 }
 
 /// a*b without the terms whose exponent of the first variable is `below` or more.
-Polynomial product(const Polynomial& a, const Polynomial& b, Meter& meter, int below = limits::degree) {
+Polynomial product(const Polynomial& a, const Polynomial& b, Meter& meter, int below) {
   Polynomial result;
   for (const auto& [m, c] : a) {
     for (const auto& [n, e] : b) {
@@ -470,6 +470,9 @@ Finding check_halves(const HermiteContext& context, Fields& fields, bool proved)
     return {"(the intervals of the two halves of an edge are the halves of its interval)",
             "identities verified",
             {"definition"}};
+  }
+  if (static_cast<long>(f.base.size() - 1) * f.power + 1 > f.degree) {
+    throw Refused("1 and x are not among the functions of the interpolant");
   }
   const auto check = [&](const Ratio& from, const Ratio& to, const Ratio& low, const Ratio& high, const Ratio& rate,
                          const char* side) {
