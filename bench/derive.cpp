@@ -90,8 +90,8 @@ TWOSCALE_FAMILIES(hessenberg, 8);
 TWOSCALE_OTHERS(hessenberg, 8, 5);
 TWOSCALE_FAMILIES(folded, 8);
 TWOSCALE_OTHERS(folded, 8, 5);
-TWOSCALE_FAMILIES(ginac, 10);
-TWOSCALE_OTHERS(ginac, 8, 5);
+TWOSCALE_FAMILIES(ginac, 8);
+TWOSCALE_OTHERS(ginac, 5, 4);
 
 }  // namespace
 }  // namespace twoscale::bench
