@@ -31,7 +31,7 @@ void stop_after(double seconds) {
 
 int main(int argc, char** argv) {
   using namespace twoscale;
-  CLI::App app("twoscale: exact subdivision schemes, from a function space to proofs, tables and curves");
+  cli::CLI::App app("twoscale: exact subdivision schemes, from a function space to proofs, tables and curves");
   app.set_version_flag("--version", std::string("twoscale ") + TWOSCALE_VERSION);
   app.require_subcommand(1);
   cli::Session session;
@@ -53,13 +53,7 @@ int main(int argc, char** argv) {
   cli::add_new_command(app, session);
   cli::add_two_scale_command(app, session);
   cli::add_lifting_command(app, session);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& e) {
-    return app.exit(e);
-  } catch (const CLI::ParseError& e) {
-    return fail(2, e.what());
-  }
+  if (const auto wrong = app.parse(argc, argv)) return wrong->empty() ? 0 : fail(2, *wrong);
   try {
     if (const double limit = std::min(session.common.time_limit, 1e9); limit > 0)
       stop_after(session.keeps_time ? 1.5 * limit + 2 : limit);

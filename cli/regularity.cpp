@@ -9,7 +9,6 @@
 #include <sstream>
 #include <thread>
 
-#include "derivation.hpp"
 #include "hermite.hpp"
 #include "session.hpp"
 #include "twoscale/analysis/certificate.hpp"
@@ -17,6 +16,7 @@
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
@@ -164,7 +164,7 @@ std::string regularity_json(const Scheme& s, const Regularity& r, const std::str
   }
   if (r.level_dependent) {
     const Laurent a = *limit_symbol(s);
-    j["limit_scheme"] = laurent_json(a);
+    j["limit_scheme"] = reports::laurent_json(a);
     j["applies_to_all_levels"] = r.transferred;
     j["generated_space"] = r.generated.empty() ? Json(nullptr) : Json(r.generated);
     j["excluded_v0"] = r.excluded;

@@ -2,7 +2,7 @@
 // What the commands share: options declared once, and where the result goes.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "arguments.hpp"
 
 #include <functional>
 #include <optional>

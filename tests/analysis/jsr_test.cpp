@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/check/check.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -246,25 +246,17 @@ TEST(JsrKnown, TheFirstLetterActsFirst) {
 // ---- laws
 
 // One to three matrices of size 1 to 4 with small entries, some of them zero.
-rc::Gen<Family> families(long most_size = 4, size_t most = 3) {
-  return rc::gen::mapcat(
-      rc::gen::pair(rc::uniform<long>(1, most_size + 1), rc::uniform<size_t>(1, most + 1)), [](const auto& shape) {
-        const auto [n, count] = shape;
-        const auto entry =
-            rc::gen::map(rc::gen::tuple(rc::uniform(-3L, 4L), rc::uniform(1L, 3L), rc::uniform(0, 4)),
-                         [](const std::tuple<long, long, int>& t) {
-                           return std::get<2>(t) == 0 ? Rational(0) : Rational(std::get<0>(t), std::get<1>(t));
-                         });
-        const long size = n;
-        const auto one = rc::gen::map(rc::gen::container<std::vector<Rational>>(static_cast<size_t>(n * n), entry),
-                                      [size](const std::vector<Rational>& e) {
-                                        RationalMatrix a(size, size);
-                                        for (long i = 0; i < size * size; ++i)
-                                          a.set(i / size, i % size, e[static_cast<size_t>(i)]);
-                                        return a;
-                                      });
-        return rc::gen::container<Family>(count, one);
-      });
+Family random_family(long most_size = 4, size_t most = 3) {
+  const long n = uniform<long>(1, most_size + 1);
+  return several(uniform<size_t>(1, most + 1), [n] {
+    RationalMatrix a(n, n);
+    for (long i = 0; i < n * n; ++i)
+      if (uniform(0, 4) != 0) {
+        const long numerator = uniform(-3L, 4L);
+        a.set(i / n, i % n, Rational(numerator, uniform(1L, 3L)));
+      }
+    return a;
+  });
 }
 
 // Quick limits: an enclosure where the polytope does not close soon, nothing where even that fails.
@@ -275,11 +267,11 @@ std::optional<JsrResult> quick(const Family& family) {
   options.seconds = 1.5;
   try {
     JsrResult r = joint_spectral_radius(family, {}, options);
-    RC_ASSERT(accepted(family, r));
-    RC_ASSERT(r.lower <= r.upper);
+    LAW_ASSERT(accepted(family, r));
+    LAW_ASSERT(r.lower <= r.upper);
     return r;
   } catch (const Error& e) {
-    RC_ASSERT(e.kind == Error::Kind::undecided);
+    LAW_ASSERT(e.kind == Error::Kind::undecided);
     return std::nullopt;
   }
 }
@@ -304,14 +296,14 @@ RealAlgebraic scaled(const RealAlgebraic& a, const Rational& c) {
 // a = b exactly, or the enclosures share a point.
 void expect_same(const JsrResult& a, const JsrResult& b) {
   if (a.exact && b.exact) {
-    RC_ASSERT(*a.exact == *b.exact);
+    LAW_ASSERT(*a.exact == *b.exact);
   } else if (a.exact || b.exact) {
     const RealAlgebraic& exact = a.exact ? *a.exact : *b.exact;
     const JsrResult& other = a.exact ? b : a;
-    RC_ASSERT(RealAlgebraic::compare(other.lower, exact) <= 0);
-    RC_ASSERT(RealAlgebraic::compare(exact, other.upper) <= 0);
+    LAW_ASSERT(RealAlgebraic::compare(other.lower, exact) <= 0);
+    LAW_ASSERT(RealAlgebraic::compare(exact, other.upper) <= 0);
   } else {
-    RC_ASSERT(std::max(a.lower, b.lower) <= std::min(a.upper, b.upper));
+    LAW_ASSERT(std::max(a.lower, b.lower) <= std::min(a.upper, b.upper));
   }
 }
 
@@ -326,11 +318,11 @@ Family mapped(const Family& family, const std::function<RationalMatrix(const Rat
   return list;
 }
 
-RC_GTEST_PROP(JsrLaws, BetweenSpectralRadiiAndNorms, ()) {
-  const Family family = *families();
+LAW(JsrLaws, BetweenSpectralRadiiAndNorms, ()) {
+  const Family family = random_family();
   const auto r = quick(family);
-  RC_PRE(r.has_value());
-  RC_CLASSIFY(r->exact.has_value(), "exact");
+  LAW_GIVEN(r.has_value());
+  laws::tag(r->exact.has_value() ? "exact" : "enclosed");
   // Row sums of the products of three bound from above.
   Rational most;
   const int k = static_cast<int>(family.size());
@@ -342,22 +334,22 @@ RC_GTEST_PROP(JsrLaws, BetweenSpectralRadiiAndNorms, ()) {
       most = std::max(most, sum);
     }
   }
-  RC_ASSERT(r->lower.pow(3) <= most);
+  LAW_ASSERT(r->lower.pow(3) <= most);
   for (const auto& a : family) {
     const auto leading = leading_eigenvalues(a);
     if (leading.empty() || leading[0].sign() == 0) continue;
     const RealAlgebraic size = leading[0].root_of_modulus(1);
-    RC_ASSERT(RealAlgebraic::compare(size, r->upper) <= 0);
-    if (r->exact) RC_ASSERT(RealAlgebraic::compare(size, *r->exact) <= 0);
+    LAW_ASSERT(RealAlgebraic::compare(size, r->upper) <= 0);
+    if (r->exact) LAW_ASSERT(RealAlgebraic::compare(size, *r->exact) <= 0);
   }
 }
 
-RC_GTEST_PROP(JsrLaws, Homogeneous, ()) {
-  const Family family = *families();
-  const Rational c(*rc::uniform(1L, 9L) * (*rc::uniform(0, 2) == 0 ? 1 : -1), *rc::uniform(1L, 9L));
+LAW(JsrLaws, Homogeneous, ()) {
+  const Family family = random_family();
+  const Rational c(uniform(1L, 9L) * (uniform(0, 2) == 0 ? 1 : -1), uniform(1L, 9L));
   const auto x = quick(family);
   const auto y = quick(mapped(family, [&](const RationalMatrix& a) { return c * a; }));
-  RC_PRE(x && y);
+  LAW_GIVEN(x && y);
   JsrResult z = *x;
   z.lower = z.lower * abs(c);
   z.upper = z.upper * abs(c);
@@ -365,62 +357,62 @@ RC_GTEST_PROP(JsrLaws, Homogeneous, ()) {
   expect_same(z, *y);
 }
 
-RC_GTEST_PROP(JsrLaws, ChangeOfBasis, ()) {
-  const Family family = *families();
-  const Family other = *families();
+LAW(JsrLaws, ChangeOfBasis, ()) {
+  const Family family = random_family();
+  const Family other = random_family();
   const long n = family[0].rows();
   RationalMatrix t = RationalMatrix::identity(n);
   for (long i = 0; i < n; ++i)
     for (long j = 0; j < n; ++j)
       if (i != j) t.set(i, j, other[0](i % other[0].rows(), j % other[0].rows()));
   const auto inverse = t.inverse();
-  RC_PRE(inverse.has_value());
+  LAW_GIVEN(inverse.has_value());
   same_radius(family, mapped(family, [&](const RationalMatrix& a) { return *inverse * a * t; }));
 }
 
-RC_GTEST_PROP(JsrLaws, Transposition, ()) {
-  const Family family = *families();
+LAW(JsrLaws, Transposition, ()) {
+  const Family family = random_family();
   same_radius(family, mapped(family, [](const RationalMatrix& a) { return a.transposed(); }));
 }
 
-RC_GTEST_PROP(JsrLaws, WhatAddsNothing, ()) {
-  const Family family = *families();
+LAW(JsrLaws, WhatAddsNothing, ()) {
+  const Family family = random_family();
   Family more = family;
-  const auto pick = [&] { return family[*rc::uniform<size_t>(0, family.size())]; };
-  switch (*rc::uniform(0, 4)) {
+  const auto pick = [&] { return family[uniform<size_t>(0, family.size())]; };
+  switch (uniform(0, 4)) {
     case 0: more.push_back(pick()); break;
     case 1: more.push_back(Rational(-1) * pick()); break;
     case 2: {
-      const Rational t(*rc::uniform(0L, 8L), 7);
+      const Rational t(uniform(0L, 8L), 7);
       more.push_back(t * pick() + (Rational(1) - t) * pick());
       break;
     }
     default: more.push_back(RationalMatrix(family[0].rows(), family[0].rows()));
   }
-  if (*rc::uniform(0, 2) == 0) std::reverse(more.begin(), more.end());
+  if (uniform(0, 2) == 0) std::reverse(more.begin(), more.end());
   same_radius(family, more);
 }
 
-RC_GTEST_PROP(JsrLaws, WordsOfTwo, ()) {
-  const Family family = *families(3, 2);
+LAW(JsrLaws, WordsOfTwo, ()) {
+  const Family family = random_family(3, 2);
   Family words;
   for (const auto& a : family)
     for (const auto& b : family) words.push_back(a * b);
   const auto x = quick(family), y = quick(words);
-  RC_PRE(x && y);
+  LAW_GIVEN(x && y);
   if (x->exact && y->exact) {
     if (x->exact->sign() == 0)
-      RC_ASSERT(y->exact->sign() == 0);
+      LAW_ASSERT(y->exact->sign() == 0);
     else
-      RC_ASSERT(y->exact->root_of_modulus(2) == *x->exact);
+      LAW_ASSERT(y->exact->root_of_modulus(2) == *x->exact);
   } else {
-    RC_ASSERT(x->lower.pow(2) <= y->upper);
-    RC_ASSERT(y->lower <= x->upper.pow(2));
+    LAW_ASSERT(x->lower.pow(2) <= y->upper);
+    LAW_ASSERT(y->lower <= x->upper.pow(2));
   }
 }
 
-RC_GTEST_PROP(JsrLaws, DirectSums, ()) {
-  const Family a = *families(2, 2), b = *families(2, 2);
+LAW(JsrLaws, DirectSums, ()) {
+  const Family a = random_family(2, 2), b = random_family(2, 2);
   const size_t k = std::min(a.size(), b.size());
   const Family first(a.begin(), a.begin() + static_cast<long>(k)), second(b.begin(), b.begin() + static_cast<long>(k));
   const long n = a[0].rows(), m = b[0].rows();
@@ -434,13 +426,13 @@ RC_GTEST_PROP(JsrLaws, DirectSums, ()) {
     sum.push_back(whole);
   }
   const auto x = quick(first), y = quick(second), z = quick(sum);
-  RC_PRE(x && y && z);
+  LAW_GIVEN(x && y && z);
   if (x->exact && y->exact) {
     JsrResult larger = RealAlgebraic::compare(*x->exact, *y->exact) < 0 ? *y : *x;
     expect_same(larger, *z);
   } else {
-    RC_ASSERT(std::max(x->lower, y->lower) <= z->upper);
-    RC_ASSERT(z->lower <= std::max(x->upper, y->upper));
+    LAW_ASSERT(std::max(x->lower, y->lower) <= z->upper);
+    LAW_ASSERT(z->lower <= std::max(x->upper, y->upper));
   }
 }
 

@@ -4,15 +4,13 @@
 #include "twoscale/analysis/positivity.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
-#include <rapidcheck/gtest.h>
 
 #include <array>
 #include <cstdio>
 #include <memory>
 #include <random>
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/root_bound.hpp"
 #include "twoscale/check/check.hpp"
@@ -108,24 +106,25 @@ TEST(Univariate, HighDegree) {
   EXPECT_EQ(verdict(p, {{"x", Q(-7, 5)}}), Verdict::refuted);
 }
 
-RC_GTEST_PROP(Univariate, IsolationFindsTheFactors, ()) {
-  std::vector<Q> roots =
-      *rc::up_to<Q>(6, rc::gen::map(rc::gen::pair(rc::uniform(-9L, 10L), rc::uniform(1L, 6L)),
-                                    [](const std::pair<long, long>& p) { return Q(p.first, p.second); }));
+LAW(Univariate, IsolationFindsTheFactors, ()) {
+  std::vector<Q> roots = several(uniform<size_t>(0, 7), [] {
+    const long n = uniform(-9L, 10L);
+    return Q(n, uniform(1L, 6L));
+  });
   Polynomial p = x * x + x + 1;
   for (const Q& r : roots) {
-    p *= (Polynomial::constant(r.denominator()) * x - Polynomial::constant(r.numerator())).pow(*rc::uniform(1U, 3U));
+    p *= (Polynomial::constant(r.denominator()) * x - Polynomial::constant(r.numerator())).pow(uniform(1U, 3U));
   }
   std::sort(roots.begin(), roots.end());
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
   const auto found = isolate_real_zeros(p);
-  RC_ASSERT(found.size() == roots.size());
-  RC_ASSERT(count_real_zeros(p) == static_cast<long>(roots.size()));
+  LAW_ASSERT(found.size() == roots.size());
+  LAW_ASSERT(count_real_zeros(p) == static_cast<long>(roots.size()));
   for (size_t i = 0; i < found.size(); ++i) {
-    RC_ASSERT(found[i].low <= roots[i] && roots[i] <= found[i].high);
-    if (i > 0) RC_ASSERT(found[i - 1].high <= found[i].low);
+    LAW_ASSERT(found[i].low <= roots[i] && roots[i] <= found[i].high);
+    if (i > 0) LAW_ASSERT(found[i - 1].high <= found[i].low);
     if (found[i].low == found[i].high) continue;
-    RC_ASSERT(!p.evaluate({{"x", found[i].low}}).is_zero() && !p.evaluate({{"x", found[i].high}}).is_zero());
+    LAW_ASSERT(!p.evaluate({{"x", found[i].low}}).is_zero() && !p.evaluate({{"x", found[i].high}}).is_zero());
   }
 }
 
@@ -244,51 +243,51 @@ TEST(Sign, RationalFunctions) {
 // ---- Laws
 
 Q random_rational(long reach, long scale) {
-  const long d = *rc::uniform(1L, scale + 1);
-  return Q(*rc::uniform(-reach * d, reach * d + 1), d);
+  const long d = uniform(1L, scale + 1);
+  return Q(uniform(-reach * d, reach * d + 1), d);
 }
 
 Range random_range(const std::string& name) {
   Range r{name, random_rational(3, 4)};
-  if (*rc::uniform(0, 3) != 0) r.high = r.low + Q(*rc::uniform(1L, 9L), *rc::uniform(1L, 5L));
+  if (uniform(0, 3) != 0) r.high = r.low + Q(uniform(1L, 9L), uniform(1L, 5L));
   return r;
 }
 
 Polynomial random_polynomial(const std::vector<Polynomial>& variables, unsigned degree, long size) {
-  Polynomial p = *rc::uniform(-size, size + 1);
-  for (unsigned terms = *rc::uniform(1U, 7U); terms > 0; --terms) {
-    Polynomial t = *rc::uniform(-size, size + 1);
-    for (const auto& v : variables) t *= v.pow(*rc::uniform(0U, degree + 1));
+  Polynomial p = uniform(-size, size + 1);
+  for (unsigned terms = uniform(1U, 7U); terms > 0; --terms) {
+    Polynomial t = uniform(-size, size + 1);
+    for (const auto& v : variables) t *= v.pow(uniform(0U, degree + 1));
     p += t;
   }
   return p;
 }
 
-RC_GTEST_PROP(Sign, ProductsOfPositiveThingsAreProved, ()) {
+LAW(Sign, ProductsOfPositiveThingsAreProved, ()) {
   Polynomial p = 1;
-  for (int factors = *rc::uniform(1, 3); factors > 0; --factors) {
-    p *= random_polynomial({x, y}, 1, 3).pow(2) + Polynomial(*rc::uniform(1L, 4L));
+  for (int factors = uniform(1, 3); factors > 0; --factors) {
+    p *= random_polynomial({x, y}, 1, 3).pow(2) + Polynomial(uniform(1L, 4L));
   }
-  RC_ASSERT(verdict(p, {{"x", -1, 1}, {"y", Q(-1, 2), 2}}) == Verdict::proved);
-  RC_ASSERT(!testing::Test::HasFailure());
+  LAW_ASSERT(verdict(p, {{"x", -1, 1}, {"y", Q(-1, 2), 2}}) == Verdict::proved);
+  LAW_ASSERT(!testing::Test::HasFailure());
 }
 
-RC_GTEST_PROP(Sign, WhatIsDecidedIsTrue, ()) {
-  const Polynomial p = random_polynomial({x, y}, 3, 4) + Polynomial(*rc::uniform(0L, 12L));
+LAW(Sign, WhatIsDecidedIsTrue, ()) {
+  const Polynomial p = random_polynomial({x, y}, 3, 4) + Polynomial(uniform(0L, 12L));
   const Box box{random_range("x"), random_range("y")};
   SignOptions o;
-  o.strict = *rc::uniform(0, 2) == 0;
+  o.strict = uniform(0, 2) == 0;
   o.depth = 24;
-  if (o.strict && *rc::uniform(0, 3) == 0) o.zeros = {"x=lo"};
+  if (o.strict && uniform(0, 3) == 0) o.zeros = {"x=lo"};
   const Positivity r = decide(p, box, o);
-  RC_TAG(to_string(r.verdict));
-  RC_ASSERT(!testing::Test::HasFailure());
+  laws::tag(to_string(r.verdict));
+  LAW_ASSERT(!testing::Test::HasFailure());
   if (r.verdict != Verdict::proved) return;
   for (int i = 0; i < 30; ++i) {
     std::vector<std::pair<std::string, Q>> at;
     bool excluded = false;
     for (const auto& range : box) {
-      const Q t(*rc::uniform(0L, 8L), 7);
+      const Q t(uniform(0L, 8L), 7);
       if (range.high)
         at.emplace_back(range.name, range.low + (*range.high - range.low) * t);
       else
@@ -296,18 +295,18 @@ RC_GTEST_PROP(Sign, WhatIsDecidedIsTrue, ()) {
       excluded = excluded || (!o.zeros.empty() && range.name == "x" && t.is_zero());
     }
     const int sign = p.evaluate(at).sign();
-    RC_ASSERT(sign > 0 || (sign == 0 && (!o.strict || excluded)));
+    LAW_ASSERT(sign > 0 || (sign == 0 && (!o.strict || excluded)));
   }
 }
 
 // The evidence of one polynomial does not serve for another that is not positive.
-RC_GTEST_PROP(Sign, EvidenceServesNoOther, ()) {
-  const Polynomial p = random_polynomial({x, y}, 2, 3).pow(2) + Polynomial(*rc::uniform(1L, 4L));
+LAW(Sign, EvidenceServesNoOther, ()) {
+  const Polynomial p = random_polynomial({x, y}, 2, 3).pow(2) + Polynomial(uniform(1L, 4L));
   const Box box{random_range("x"), random_range("y")};
   SignOptions o;
   o.depth = 20;
   const Positivity r = decide(p, box, o);
-  RC_PRE(r.verdict == Verdict::proved);
+  LAW_GIVEN(r.verdict == Verdict::proved);
   const Q value = p.evaluate({{"x", box[0].low}, {"y", box[1].low}});
   const Polynomial zero = Polynomial::constant(value.denominator()) * p - Polynomial::constant(value.numerator());
   const auto accepted = [&](const nlohmann::ordered_json& evidence) {
@@ -315,25 +314,25 @@ RC_GTEST_PROP(Sign, EvidenceServesNoOther, ()) {
   };
   auto evidence = r.evidence;
   evidence["polynomial"] = zero.to_string();  // at the lowest vertex
-  RC_ASSERT(!accepted(evidence));
+  LAW_ASSERT(!accepted(evidence));
   evidence["polynomial"] = (zero - Polynomial(1)).to_string();
   evidence["strict"] = "no";
-  RC_ASSERT(!accepted(evidence));
+  LAW_ASSERT(!accepted(evidence));
   evidence = r.evidence;
   evidence["verdict"] = "refuted";
-  RC_ASSERT(!accepted(evidence));
+  LAW_ASSERT(!accepted(evidence));
   evidence = r.evidence;
   evidence["tree"] = r.proof.tree + ".";
-  RC_ASSERT(!accepted(evidence));
+  LAW_ASSERT(!accepted(evidence));
 }
 
-RC_GTEST_PROP(Sign, OneVariableIsAlwaysDecided, ()) {
-  const Polynomial p = random_polynomial({x}, 5, 6) * random_polynomial({x}, 2, 3).pow(*rc::uniform(0U, 3U));
+LAW(Sign, OneVariableIsAlwaysDecided, ()) {
+  const Polynomial p = random_polynomial({x}, 5, 6) * random_polynomial({x}, 2, 3).pow(uniform(0U, 3U));
   const Box box{random_range("x")};
   SignOptions o;
-  o.strict = *rc::uniform(0, 2) == 0;
-  RC_ASSERT(decide(p, box, o).verdict != Verdict::undecided);
-  RC_ASSERT(!testing::Test::HasFailure());
+  o.strict = uniform(0, 2) == 0;
+  LAW_ASSERT(decide(p, box, o).verdict != Verdict::undecided);
+  LAW_ASSERT(!testing::Test::HasFailure());
 }
 
 // ---- Roots in discs
@@ -382,8 +381,8 @@ TEST(RootBound, WithParameters) {
 
 std::vector<Polynomial> random_coefficients(size_t n) {
   std::vector<Polynomial> a;
-  for (size_t k = 0; k < n; ++k) a.emplace_back(*rc::uniform(-6L, 7L));
-  a.emplace_back(*rc::uniform(1L, 20L));
+  for (size_t k = 0; k < n; ++k) a.emplace_back(uniform(-6L, 7L));
+  a.emplace_back(uniform(1L, 20L));
   return a;
 }
 Polynomial polynomial_of(const std::vector<Polynomial>& a) {
@@ -395,25 +394,25 @@ bool all_positive(const std::vector<Polynomial>& list) {
   return std::all_of(list.begin(), list.end(), [](const Polynomial& c) { return c.leading_sign() > 0; });
 }
 
-RC_GTEST_PROP(RootBound, SchurCohnJuryAndLienardChipartAgree, ()) {
-  const auto a = random_coefficients(*rc::uniform<size_t>(0, 9));
+LAW(RootBound, SchurCohnJuryAndLienardChipartAgree, ()) {
+  const auto a = random_coefficients(uniform<size_t>(0, 9));
   const bool inside = roots_inside(polynomial_of(a), 1);
-  RC_CLASSIFY(inside);
-  RC_ASSERT(all_positive(lienard_chipart_conditions(a)) == inside);
-  if (a.size() <= 4) RC_ASSERT(all_positive(jury_conditions(a)) == inside);
+  laws::tag(inside ? "inside" : "not inside");
+  LAW_ASSERT(all_positive(lienard_chipart_conditions(a)) == inside);
+  if (a.size() <= 4) LAW_ASSERT(all_positive(jury_conditions(a)) == inside);
   expect_valid(all_roots_inside(polynomial_of(a), "x", 1).evidence);
-  RC_ASSERT(!testing::Test::HasFailure());
+  LAW_ASSERT(!testing::Test::HasFailure());
 }
 
 // The conditions with parameters, at a point: what they say of the numbers there.
-RC_GTEST_PROP(RootBound, ConditionsCommuteWithEvaluation, ()) {
+LAW(RootBound, ConditionsCommuteWithEvaluation, ()) {
   std::vector<Polynomial> a;
-  const size_t n = *rc::uniform<size_t>(1, 7);
+  const size_t n = uniform<size_t>(1, 7);
   for (size_t k = 0; k <= n; ++k) a.push_back(random_polynomial({y, z}, 1, 3) + Polynomial(k == n ? 7 : 0));
   const std::vector<std::pair<std::string, Q>> at{{"y", random_rational(2, 3)}, {"z", random_rational(2, 3)}};
   std::vector<Q> values;
   for (const auto& c : a) values.push_back(c.evaluate(at));
-  RC_PRE(values.back().sign() > 0);
+  LAW_GIVEN(values.back().sign() > 0);
   std::vector<Polynomial> numbers;
   Q scale = 1;
   for (const Q& v : values) scale *= Q((v * scale).denominator());
@@ -424,21 +423,21 @@ RC_GTEST_PROP(RootBound, ConditionsCommuteWithEvaluation, ()) {
   for (const auto& list : lists) {
     const bool all =
         std::all_of(list.begin(), list.end(), [&](const Polynomial& c) { return c.evaluate(at).sign() > 0; });
-    RC_ASSERT(all == inside);
+    LAW_ASSERT(all == inside);
   }
 }
 
 // Evidence with parameters, and the same for a smaller disc.
-RC_GTEST_PROP(RootBound, EvidenceServesNoSmallerDisc, ()) {
-  const unsigned n = *rc::uniform(1U, 7U);
-  Polynomial p = Polynomial(*rc::uniform(3L, 9L)) * x.pow(n);
+LAW(RootBound, EvidenceServesNoSmallerDisc, ()) {
+  const unsigned n = uniform(1U, 7U);
+  Polynomial p = Polynomial(uniform(3L, 9L)) * x.pow(n);
   for (unsigned k = 0; k < n; ++k) p += random_polynomial({y, z}, 1, 2) * x.pow(k);
   const Box box{{"y", 0, 1}, {"z", -1, Q(1, 2)}};
   const Q radius = random_rational(2, 3) + Q(3);
   const RootBound r = all_roots_inside(p, "x", radius, box);
-  RC_TAG(to_string(r.verdict));
+  laws::tag(to_string(r.verdict));
   if (r.verdict != Verdict::undecided) expect_valid(r.evidence);
-  RC_ASSERT(!testing::Test::HasFailure());
+  LAW_ASSERT(!testing::Test::HasFailure());
   if (r.verdict != Verdict::proved) return;
   Q smaller = radius;
   for (int i = 0; i < 12; ++i) {
@@ -446,7 +445,7 @@ RC_GTEST_PROP(RootBound, EvidenceServesNoSmallerDisc, ()) {
     if (all_roots_inside(p, "x", smaller, box).verdict != Verdict::refuted) continue;
     auto evidence = r.evidence;
     evidence["bound"] = smaller.to_string();
-    RC_ASSERT(check::check_text(certificate_text("test", {evidence})).status != check::Report::valid);
+    LAW_ASSERT(check::check_text(certificate_text("test", {evidence})).status != check::Report::valid);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/expression.hpp"
 
 namespace twoscale::analysis {
@@ -23,23 +23,17 @@ double value(const RealAlgebraic& a, double slack = 1e-12) {
   return (low + high) / 2;
 }
 
-// A polynomial in x of degree 1 to 5, not zero.
-rc::Gen<Polynomial> polynomial() {
-  return rc::gen::suchThat(rc::gen::map(rc::up_to<long>(5, rc::uniform(-6L, 7L)),
-                                        [](const std::vector<long>& c) {
-                                          std::vector<Rational> list(c.begin(), c.end());
-                                          list.emplace_back(1);
-                                          return Polynomial::univariate("x", list);
-                                        }),
-                           [](const Polynomial& p) { return p.degree("x") > 0; });
+// A polynomial in x of degree 1 to 5.
+Polynomial random_polynomial() {
+  std::vector<Rational> c = several(uniform<size_t>(1, 6), [] { return Rational(uniform(-6L, 7L)); });
+  c.emplace_back(1);
+  return Polynomial::univariate("x", c);
 }
 
-rc::Gen<RealAlgebraic> number() {
-  return rc::gen::map(rc::gen::pair(polynomial(), rc::uniform<size_t>(0, 5)),
-                      [](const std::pair<Polynomial, size_t>& p) {
-                        const auto list = RealAlgebraic::zeros(p.first);
-                        return p.second < list.size() ? list[p.second] : RealAlgebraic(Rational(7, 3));
-                      });
+RealAlgebraic random_number() {
+  const auto list = RealAlgebraic::zeros(random_polynomial());
+  const auto which = uniform<size_t>(0, 5);
+  return which < list.size() ? list[which] : RealAlgebraic(Rational(7, 3));
 }
 
 TEST(RealAlgebraic, KnownZeros) {
@@ -118,31 +112,31 @@ TEST(RealAlgebraic, BetweenTwo) {
   EXPECT_EQ(rational_between(Rational(1, 3), Rational(2, 3)), Rational(1, 2));
 }
 
-RC_GTEST_PROP(RealAlgebraicLaws, ZerosAreZerosAndAscend, ()) {
-  const Polynomial p = *polynomial();
+LAW(RealAlgebraicLaws, ZerosAreZerosAndAscend, ()) {
+  const Polynomial p = random_polynomial();
   const auto list = RealAlgebraic::zeros(p);
   for (size_t i = 0; i < list.size(); ++i) {
-    RC_ASSERT(Polynomial::quotient(p, list[i].polynomial()).has_value());
-    if (i > 0) RC_ASSERT(RealAlgebraic::compare(list[i - 1], list[i]) < 0);
+    LAW_ASSERT(Polynomial::quotient(p, list[i].polynomial()).has_value());
+    if (i > 0) LAW_ASSERT(RealAlgebraic::compare(list[i - 1], list[i]) < 0);
     if (const auto q = list[i].rational()) {
-      RC_ASSERT(sign_at(p, *q) == 0);
+      LAW_ASSERT(sign_at(p, *q) == 0);
     } else {
-      RC_ASSERT(sign_at(list[i].polynomial(), list[i].lower()) * sign_at(list[i].polynomial(), list[i].upper()) < 0);
+      LAW_ASSERT(sign_at(list[i].polynomial(), list[i].lower()) * sign_at(list[i].polynomial(), list[i].upper()) < 0);
     }
   }
   // As many positive ones as Sturm counts.
   const auto positive = std::count_if(list.begin(), list.end(), [](const RealAlgebraic& z) { return z.sign() > 0; });
-  RC_ASSERT(positive == p.positive_zeros());
+  LAW_ASSERT(positive == p.positive_zeros());
 }
 
-RC_GTEST_PROP(RealAlgebraicLaws, ARefinedNumberIsTheSame, ()) {
-  const RealAlgebraic a = *number();
+LAW(RealAlgebraicLaws, ARefinedNumberIsTheSame, ()) {
+  const RealAlgebraic a = random_number();
   RealAlgebraic b = a;
   b.refine(Rational(1, 1L << 60));
-  RC_ASSERT(a == b);
-  RC_ASSERT(b.upper() - b.lower() <= Rational(1, 1L << 60));
-  RC_ASSERT(a.lower() <= b.lower() && b.upper() <= a.upper());
-  RC_ASSERT(std::abs(a.estimate() - b.estimate()) <= 1e-12 * (1 + std::abs(a.estimate())));
+  LAW_ASSERT(a == b);
+  LAW_ASSERT(b.upper() - b.lower() <= Rational(1, 1L << 60));
+  LAW_ASSERT(a.lower() <= b.lower() && b.upper() <= a.upper());
+  LAW_ASSERT(std::abs(a.estimate() - b.estimate()) <= 1e-12 * (1 + std::abs(a.estimate())));
   const Ball ball = a.enclose(80);
   arf_t end;
   arf_init(end);
@@ -152,59 +146,59 @@ RC_GTEST_PROP(RealAlgebraicLaws, ARefinedNumberIsTheSame, ()) {
   arb_get_ubound_arf(end, ball.raw(), 200);
   arf_get_fmpq(high.raw(), end);
   arf_clear(end);
-  RC_ASSERT(RealAlgebraic::compare(low, a) <= 0);
-  RC_ASSERT(RealAlgebraic::compare(a, high) <= 0);
-  RC_ASSERT(high - low <= Rational(1, 1L << 60) * (Rational(1) + abs(high)));
+  LAW_ASSERT(RealAlgebraic::compare(low, a) <= 0);
+  LAW_ASSERT(RealAlgebraic::compare(a, high) <= 0);
+  LAW_ASSERT(high - low <= Rational(1, 1L << 60) * (Rational(1) + abs(high)));
 }
 
-RC_GTEST_PROP(RealAlgebraicLaws, TheOrderIsTotal, ()) {
-  const RealAlgebraic a = *number(), b = *number(), c = *number();
+LAW(RealAlgebraicLaws, TheOrderIsTotal, ()) {
+  const RealAlgebraic a = random_number(), b = random_number(), c = random_number();
   const int ab = RealAlgebraic::compare(a, b);
-  RC_ASSERT(ab == -RealAlgebraic::compare(b, a));
-  RC_ASSERT((ab == 0) == (a == b));
-  RC_ASSERT(RealAlgebraic::compare(a, a) == 0);
-  if (ab <= 0 && RealAlgebraic::compare(b, c) <= 0) RC_ASSERT(RealAlgebraic::compare(a, c) <= 0);
-  RC_ASSERT(a.sign() == RealAlgebraic::compare(a, Rational(0)));
-  if (std::abs(a.estimate() - b.estimate()) > 1e-9) RC_ASSERT(ab == (a.estimate() > b.estimate() ? 1 : -1));
+  LAW_ASSERT(ab == -RealAlgebraic::compare(b, a));
+  LAW_ASSERT((ab == 0) == (a == b));
+  LAW_ASSERT(RealAlgebraic::compare(a, a) == 0);
+  if (ab <= 0 && RealAlgebraic::compare(b, c) <= 0) LAW_ASSERT(RealAlgebraic::compare(a, c) <= 0);
+  LAW_ASSERT(a.sign() == RealAlgebraic::compare(a, Rational(0)));
+  if (std::abs(a.estimate() - b.estimate()) > 1e-9) LAW_ASSERT(ab == (a.estimate() > b.estimate() ? 1 : -1));
 }
 
-RC_GTEST_PROP(RealAlgebraicLaws, ARootToItsPowerIsTheModulus, ()) {
-  const RealAlgebraic a = *number();
-  RC_PRE(a.sign() != 0);
-  const unsigned n = *rc::uniform(1U, 5U);
+LAW(RealAlgebraicLaws, ARootToItsPowerIsTheModulus, ()) {
+  const RealAlgebraic a = random_number();
+  LAW_GIVEN(a.sign() != 0);
+  const unsigned n = uniform(1U, 5U);
   const RealAlgebraic r = a.root_of_modulus(n);
-  RC_ASSERT(r.sign() > 0);
-  RC_ASSERT(std::abs(std::pow(r.estimate(), n) - std::abs(a.estimate())) <= 1e-10 * (1 + std::abs(a.estimate())));
+  LAW_ASSERT(r.sign() > 0);
+  LAW_ASSERT(std::abs(std::pow(r.estimate(), n) - std::abs(a.estimate())) <= 1e-10 * (1 + std::abs(a.estimate())));
   // r^n = |a|: the polynomial of |a| at x^n is a multiple of that of r.
   Polynomial at_power = a.sign() > 0 ? a.polynomial() : a.polynomial().substitute("x", -Polynomial::variable("x"));
   at_power = at_power.substitute("x", Polynomial::variable("x").pow(n));
-  RC_ASSERT(Polynomial::quotient(at_power, r.polynomial()).has_value());
+  LAW_ASSERT(Polynomial::quotient(at_power, r.polynomial()).has_value());
   // Roots keep the order of positive numbers.
-  const RealAlgebraic b = *number();
+  const RealAlgebraic b = random_number();
   if (a.sign() > 0 && b.sign() > 0)
-    RC_ASSERT(RealAlgebraic::compare(a, b) == RealAlgebraic::compare(r, b.root_of_modulus(n)));
+    LAW_ASSERT(RealAlgebraic::compare(a, b) == RealAlgebraic::compare(r, b.root_of_modulus(n)));
 }
 
-RC_GTEST_PROP(RealAlgebraicLaws, SignsAtRationals, ()) {
-  const Polynomial p = *polynomial();
-  const Rational q(*rc::uniform(-20L, 21L), *rc::uniform(1L, 9L));
-  RC_ASSERT(sign_at(p, q) == p.evaluate({{"x", q}}).sign());
+LAW(RealAlgebraicLaws, SignsAtRationals, ()) {
+  const Polynomial p = random_polynomial();
+  const Rational q(uniform(-20L, 21L), uniform(1L, 9L));
+  LAW_ASSERT(sign_at(p, q) == p.evaluate({{"x", q}}).sign());
   // The sign changes at zeros of odd multiplicity only: count those to the right.
   long changes = 0;
   for (const auto& z : RealAlgebraic::zeros(p))
     if (RealAlgebraic::compare(z, q) > 0) changes += p.remove(z.polynomial()).second;
-  if (sign_at(p, q) != 0) RC_ASSERT(sign_at(p, q) == p.leading_sign() * (changes % 2 == 0 ? 1 : -1));
+  if (sign_at(p, q) != 0) LAW_ASSERT(sign_at(p, q) == p.leading_sign() * (changes % 2 == 0 ? 1 : -1));
 }
 
-RC_GTEST_PROP(RealAlgebraicLaws, SomethingIsBetween, ()) {
-  const RealAlgebraic a = *number(), b = *number();
+LAW(RealAlgebraicLaws, SomethingIsBetween, ()) {
+  const RealAlgebraic a = random_number(), b = random_number();
   const int order = RealAlgebraic::compare(a, b);
-  RC_PRE(order != 0);
+  LAW_GIVEN(order != 0);
   const RealAlgebraic& low = order < 0 ? a : b;
   const RealAlgebraic& high = order < 0 ? b : a;
   const Rational m = rational_between(low, high);
-  RC_ASSERT(RealAlgebraic::compare(low, m) < 0);
-  RC_ASSERT(RealAlgebraic::compare(m, high) < 0);
+  LAW_ASSERT(RealAlgebraic::compare(low, m) < 0);
+  LAW_ASSERT(RealAlgebraic::compare(m, high) < 0);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "masks.hpp"
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/check/check.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -196,34 +196,21 @@ struct Sample {
   Rationals rest;  // sums to m
   Rationals mask() const { return convolved(rest, power(mean(m), order)); }
 };
-void showValue(const Sample& s, std::ostream& out) {
-  out << "arity " << s.m << ", order " << s.order << ", rest";
-  for (const auto& x : s.rest) out << " " << x.to_string();
-}
-
-rc::Gen<Sample> samples(long most_arity = 4) {
-  const auto entry = rc::uniform(-5L, 9L);
-  return rc::gen::map(
-      rc::gen::suchThat(
-          rc::gen::tuple(rc::uniform(2L, most_arity + 1), rc::uniform(1L, 4L),
-                         rc::gen::mapcat(rc::uniform<size_t>(1, 5),
-                                         [entry](size_t n) { return rc::gen::container<std::vector<long>>(n, entry); }),
-                         rc::uniform(0, 2)),
-          [](const auto& t) {
-            const auto& c = std::get<2>(t);
-            long sum = 0;
-            for (const long x : c) sum += x;
-            return sum > 0 && c.front() != 0 && c.back() != 0;
-          }),
-      [](const auto& t) {
-        Sample s{std::get<0>(t), std::get<1>(t), {}};
-        Rationals c(std::get<2>(t).begin(), std::get<2>(t).end());
-        if (std::get<3>(t) == 0) c = convolved(c, Rationals(c.rbegin(), c.rend()));  // non-negative
-        Rational sum;
-        for (const auto& x : c) sum += x;
-        s.rest = times(Rational(s.m) / sum, c);
-        return s;
-      });
+Sample random_sample(long most_arity = 4) {
+  Sample s{uniform(2L, most_arity + 1), uniform(1L, 4L), {}};
+  Rationals c;
+  Rational sum;
+  do {
+    c = several(uniform<size_t>(1, 5), [] { return Rational(uniform(-5L, 9L)); });
+    sum = 0;
+    for (const auto& x : c) sum += x;
+  } while (sum.sign() <= 0 || c.front().is_zero() || c.back().is_zero());
+  if (uniform(0, 2) == 0) {  // non-negative
+    c = convolved(c, Rationals(c.rbegin(), c.rend()));
+    sum *= sum;
+  }
+  s.rest = times(Rational(s.m) / sum, c);
+  return s;
 }
 
 std::optional<Regularity> quick(const Rationals& a, long m) {
@@ -233,7 +220,7 @@ std::optional<Regularity> quick(const Rationals& a, long m) {
   options.jsr.seconds = 1.5;
   try {
     Regularity r = regularity(scheme(a, m), options);
-    RC_ASSERT(accepted(r));
+    LAW_ASSERT(accepted(r));
     return r;
   } catch (const Error& e) {
     if (e.kind != Error::Kind::undecided) throw;
@@ -244,72 +231,72 @@ std::optional<Regularity> quick(const Rationals& a, long m) {
 // The exponents differ by `shift`, as far as both are known; the radius is what is compared, so stability is not
 // needed.
 void expect_shifted(const Regularity& a, const Regularity& b, long shift, const Rational& factor = 1) {
-  RC_ASSERT(a.obstacle.empty() == b.obstacle.empty());
+  LAW_ASSERT(a.obstacle.empty() == b.obstacle.empty());
   if (!a.obstacle.empty()) return;
   if (a.jsr.exact && b.jsr.exact) {
-    RC_ASSERT(a.hoelder.lower.has_value() == b.hoelder.lower.has_value());
+    LAW_ASSERT(a.hoelder.lower.has_value() == b.hoelder.lower.has_value());
     if (a.hoelder.lower)
-      RC_ASSERT(abs(*a.hoelder.lower + Rational(shift) - *b.hoelder.lower * factor) <= Rational(1, 1000000000));
+      LAW_ASSERT(abs(*a.hoelder.lower + Rational(shift) - *b.hoelder.lower * factor) <= Rational(1, 1000000000));
   } else {
-    if (a.hoelder.lower && b.hoelder.upper) RC_ASSERT(*a.hoelder.lower + Rational(shift) <= *b.hoelder.upper * factor);
-    if (b.hoelder.lower && a.hoelder.upper) RC_ASSERT(*b.hoelder.lower * factor <= *a.hoelder.upper + Rational(shift));
+    if (a.hoelder.lower && b.hoelder.upper) LAW_ASSERT(*a.hoelder.lower + Rational(shift) <= *b.hoelder.upper * factor);
+    if (b.hoelder.lower && a.hoelder.upper) LAW_ASSERT(*b.hoelder.lower * factor <= *a.hoelder.upper + Rational(shift));
   }
 }
 
-RC_GTEST_PROP(RegularityLaws, AnotherMeanAddsOne, ()) {
-  const Sample s = *samples();
+LAW(RegularityLaws, AnotherMeanAddsOne, ()) {
+  const Sample s = random_sample();
   const auto x = quick(s.mask(), s.m), y = quick(convolved(s.mask(), mean(s.m)), s.m);
-  RC_PRE(x && y);
-  RC_CLASSIFY(x->jsr.exact.has_value(), "exact");
-  RC_ASSERT(y->order == x->order + 1);
-  RC_ASSERT(x->c == y->c);
+  LAW_GIVEN(x && y);
+  laws::tag(x->jsr.exact.has_value() ? "exact" : "enclosed");
+  LAW_ASSERT(y->order == x->order + 1);
+  LAW_ASSERT(x->c == y->c);
   expect_shifted(*x, *y, 1);
   if (x->stability.stable && x->jsr.exact && x->hoelder.expression && y->stability.stable)
-    RC_ASSERT(x->jsr.exact == y->jsr.exact);
+    LAW_ASSERT(x->jsr.exact == y->jsr.exact);
 }
 
-RC_GTEST_PROP(RegularityLaws, Reflection, ()) {
-  const Sample s = *samples();
+LAW(RegularityLaws, Reflection, ()) {
+  const Sample s = random_sample();
   const Rationals a = s.mask();
   const auto x = quick(a, s.m), y = quick(Rationals(a.rbegin(), a.rend()), s.m);
-  RC_PRE(x && y);
+  LAW_GIVEN(x && y);
   expect_shifted(*x, *y, 0);
-  RC_ASSERT(x->stability.stable == y->stability.stable);
-  RC_ASSERT(x->sobolev.lower == y->sobolev.lower);
+  LAW_ASSERT(x->stability.stable == y->stability.stable);
+  LAW_ASSERT(x->sobolev.lower == y->sobolev.lower);
 }
 
-RC_GTEST_PROP(RegularityLaws, TwoStepsAtOnce, ()) {
-  const Sample s = *samples(3);
+LAW(RegularityLaws, TwoStepsAtOnce, ()) {
+  const Sample s = random_sample(3);
   const Rationals a = s.mask();
   const auto x = quick(a, s.m), y = quick(convolved(a, dilated(a, s.m)), s.m * s.m);
-  RC_PRE(x && y);
-  RC_ASSERT(y->order >= x->order);
+  LAW_GIVEN(x && y);
+  LAW_ASSERT(y->order >= x->order);
   if (x->stability.stable) {
-    RC_ASSERT(y->order == x->order);
-    RC_ASSERT(y->stability.stable);
+    LAW_ASSERT(y->order == x->order);
+    LAW_ASSERT(y->stability.stable);
     expect_shifted(*x, *y, 0);
-    if (x->hoelder.rational && y->jsr.exact) RC_ASSERT(x->hoelder.rational == y->hoelder.rational);
+    if (x->hoelder.rational && y->jsr.exact) LAW_ASSERT(x->hoelder.rational == y->hoelder.rational);
   }
 }
 
-RC_GTEST_PROP(RegularityLaws, SobolevAndHoelder, ()) {
-  const Sample s = *samples();
+LAW(RegularityLaws, SobolevAndHoelder, ()) {
+  const Sample s = random_sample();
   const auto x = quick(s.mask(), s.m);
-  RC_PRE(x.has_value());
-  RC_PRE(x->obstacle.empty());
-  RC_ASSERT(x->sobolev.lower.has_value());
+  LAW_GIVEN(x.has_value());
+  LAW_GIVEN(x->obstacle.empty());
+  LAW_ASSERT(x->sobolev.lower.has_value());
   // The square of the radius is at most that of the autocorrelation, and that at most m times the square.
   if (x->stability.stable) {
-    RC_ASSERT(x->sobolev.upper.has_value());
-    if (x->hoelder.lower) RC_ASSERT(*x->hoelder.lower <= *x->sobolev.upper);
-    if (x->hoelder.upper) RC_ASSERT(*x->sobolev.lower <= *x->hoelder.upper + Rational(1, 2));
+    LAW_ASSERT(x->sobolev.upper.has_value());
+    if (x->hoelder.lower) LAW_ASSERT(*x->hoelder.lower <= *x->sobolev.upper);
+    if (x->hoelder.upper) LAW_ASSERT(*x->sobolev.lower <= *x->hoelder.upper + Rational(1, 2));
     // A stable exponent of N or more would make the basic function a polynomial.
-    if (x->hoelder.lower) RC_ASSERT(*x->hoelder.lower <= Rational(x->order));
+    if (x->hoelder.lower) LAW_ASSERT(*x->hoelder.lower <= Rational(x->order));
   } else {
-    RC_ASSERT(!x->hoelder.upper && !x->sobolev.upper);
+    LAW_ASSERT(!x->hoelder.upper && !x->sobolev.upper);
   }
   if (x->hoelder.lower && x->hoelder.lower->sign() > 0)
-    RC_ASSERT(Rational(x->continuity) <= *x->hoelder.lower && *x->hoelder.lower <= Rational(x->continuity + 1));
+    LAW_ASSERT(Rational(x->continuity) <= *x->hoelder.lower && *x->hoelder.lower <= Rational(x->continuity + 1));
 }
 
 // ---- level-dependent schemes

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "masks.hpp"
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -27,12 +27,14 @@ Remainder remainder_of(const std::string& name) {
 }
 
 // One to eight coefficients, both ends not zero.
-rc::Gen<Rationals> coefficients() {
-  const auto entry = rc::gen::map(rc::gen::pair(rc::uniform(-5L, 6L), rc::uniform(1L, 5L)),
-                                  [](const std::pair<long, long>& p) { return Rational(p.first, p.second); });
-  return rc::gen::suchThat(
-      rc::gen::mapcat(rc::uniform<size_t>(1, 9), [entry](size_t n) { return rc::gen::container<Rationals>(n, entry); }),
-      [](const Rationals& c) { return !c.front().is_zero() && !c.back().is_zero(); });
+Rationals coefficients() {
+  for (;;) {
+    Rationals c = several(uniform<size_t>(1, 9), [] {
+      const long n = uniform(-5L, 6L);
+      return Rational(n, uniform(1L, 5L));
+    });
+    if (!c.front().is_zero() && !c.back().is_zero()) return c;
+  }
 }
 
 // ---- division
@@ -65,21 +67,21 @@ TEST(Remainder, AGivenOrder) {
   EXPECT_FALSE(remainder(a, 2, 7));
 }
 
-RC_GTEST_PROP(RemainderLaws, TheProductIsTheMask, ()) {
-  const long m = *rc::uniform(2L, 6L);
-  const Rationals c = *coefficients();
-  const long factors = *rc::uniform(0L, 5L);
-  const long lowest = *rc::uniform(-5L, 6L);
+LAW(RemainderLaws, TheProductIsTheMask, ()) {
+  const long m = uniform(2L, 6L);
+  const Rationals c = coefficients();
+  const long factors = uniform(0L, 5L);
+  const long lowest = uniform(-5L, 6L);
   const Rationals a = convolved(c, power(mean(m), factors));
   const Remainder r = *remainder(laurent(a, lowest), m);
-  RC_ASSERT(r.arity == m);
-  RC_ASSERT(r.order >= factors);
-  RC_ASSERT(convolved(r.c, power(mean(m), r.order)) == a);
+  LAW_ASSERT(r.arity == m);
+  LAW_ASSERT(r.order >= factors);
+  LAW_ASSERT(convolved(r.c, power(mean(m), r.order)) == a);
   // N is the largest: c has not the same sum over every coset.
   Rationals sums(static_cast<size_t>(m));
   for (size_t i = 0; i < r.c.size(); ++i) sums[i % static_cast<size_t>(m)] += r.c[i];
-  RC_ASSERT(std::any_of(sums.begin(), sums.end(), [&](const Rational& s) { return !(s == sums[0]); }));
-  RC_ASSERT(r.c == remainder(laurent(a, 0), m, r.order)->c);
+  LAW_ASSERT(std::any_of(sums.begin(), sums.end(), [&](const Rational& s) { return !(s == sums[0]); }));
+  LAW_ASSERT(r.c == remainder(laurent(a, 0), m, r.order)->c);
 }
 
 // ---- matrices
@@ -105,12 +107,12 @@ TEST(TransitionMatrices, Splines) {
 }
 
 // The entries of all products of n matrices are the coefficients of c(z) c(z^m) ... c(z^{m^{n-1}}), and zeros.
-RC_GTEST_PROP(TransitionMatricesLaws, ProductsHoldTheIteratedCoefficients, ()) {
+LAW(TransitionMatricesLaws, ProductsHoldTheIteratedCoefficients, ()) {
   Remainder r;
-  r.arity = *rc::uniform(2L, 5L);
-  r.c = *coefficients();
+  r.arity = uniform(2L, 5L);
+  r.c = coefficients();
   const Family family = transition_matrices(r);
-  const int n = *rc::uniform(1, r.arity == 2 ? 5 : 4);
+  const int n = uniform(1, r.arity == 2 ? 5 : 4);
   std::vector<RationalMatrix> products{RationalMatrix::identity(family[0].rows())};
   Rationals iterated{1};
   long stride = 1;
@@ -131,7 +133,7 @@ RC_GTEST_PROP(TransitionMatricesLaws, ProductsHoldTheIteratedCoefficients, ()) {
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
-  RC_ASSERT(entries == expected);
+  LAW_ASSERT(entries == expected);
 }
 
 // ---- symmetric symbols
@@ -149,18 +151,18 @@ double on_circle(const Rationals& g, double t) {
   return sum;
 }
 
-RC_GTEST_PROP(SymbolLaws, AutocorrelationIsTheSquareOfTheModulus, ()) {
-  const Rationals c = *coefficients();
+LAW(SymbolLaws, AutocorrelationIsTheSquareOfTheModulus, ()) {
+  const Rationals c = coefficients();
   const Rationals g = autocorrelation(c);
-  RC_ASSERT(g.size() == c.size());
+  LAW_ASSERT(g.size() == c.size());
   Rationals reversed(c.rbegin(), c.rend());
-  RC_ASSERT(symmetric_half(convolved(c, reversed)) == g);
+  LAW_ASSERT(symmetric_half(convolved(c, reversed)) == g);
   const Polynomial p = cosine_polynomial(g);
-  RC_ASSERT(nonnegative_on_circle(p));
+  LAW_ASSERT(nonnegative_on_circle(p));
 }
 
-RC_GTEST_PROP(SymbolLaws, CosinePolynomial, ()) {
-  const Rationals g = *coefficients();
+LAW(SymbolLaws, CosinePolynomial, ()) {
+  const Rationals g = coefficients();
   const Polynomial p = cosine_polynomial(g);
   const std::string x = p.is_constant() ? "x" : p.variables()[0];
   // Proportional by a positive factor to g_0 + 2 sum g_k T_k.
@@ -169,20 +171,20 @@ RC_GTEST_PROP(SymbolLaws, CosinePolynomial, ()) {
   Polynomial expected = 0;
   for (size_t k = 0; k < g.size(); ++k)
     expected += Polynomial::chebyshev(x, static_cast<unsigned>(k)).scaled(common * g[k] * Rational(k == 0 ? 1 : 2));
-  RC_ASSERT(!p.is_zero() && !expected.is_zero());
+  LAW_ASSERT(!p.is_zero() && !expected.is_zero());
   const Rational ratio = expected.content() / p.content();
-  RC_ASSERT(expected.scaled(ratio.inverse()) == p);
+  LAW_ASSERT(expected.scaled(ratio.inverse()) == p);
 }
 
-RC_GTEST_PROP(SymbolLaws, NonNegativeAsSampled, ()) {
-  Rationals g = *coefficients();
-  if (*rc::uniform(0, 2) == 0) g[0] = g[0] + Rational(*rc::uniform(0L, 12L));
-  RC_PRE(!g[0].is_zero() || g.size() > 1);
+LAW(SymbolLaws, NonNegativeAsSampled, ()) {
+  Rationals g = coefficients();
+  if (uniform(0, 2) == 0) g[0] = g[0] + Rational(uniform(0L, 12L));
+  LAW_GIVEN(!g[0].is_zero() || g.size() > 1);
   const bool nonnegative = nonnegative_on_circle(cosine_polynomial(g));
   double least = 1e300;
   for (int i = 0; i <= 2000; ++i) least = std::min(least, on_circle(g, 3.14159265358979 * i / 2000));
-  if (least < -1e-9) RC_ASSERT(!nonnegative);
-  if (least > 1e-3) RC_ASSERT(nonnegative);
+  if (least < -1e-9) LAW_ASSERT(!nonnegative);
+  if (least > 1e-3) LAW_ASSERT(nonnegative);
 }
 
 TEST(NonNegative, DoubleZerosAreAllowed) {
@@ -203,23 +205,23 @@ TEST(CentralRadius, KnownOnes) {
 }
 
 // Where both apply, the joint spectral radius is the central one.
-RC_GTEST_PROP(CentralRadiusLaws, IsTheJointSpectralRadius, ()) {
-  const Rationals half = *coefficients();
+LAW(CentralRadiusLaws, IsTheJointSpectralRadius, ()) {
+  const Rationals half = coefficients();
   Remainder r;
-  r.arity = *rc::uniform(2L, 4L);
+  r.arity = uniform(2L, 4L);
   r.c = convolved(half, Rationals(half.rbegin(), half.rend()));  // |half|^2 >= 0
-  RC_PRE(r.c.size() <= 9U);
+  LAW_GIVEN(r.c.size() <= 9U);
   const RealAlgebraic central = central_radius(*symmetric_half(r.c), r.arity).radius;
   JsrOptions options;
   options.vertices = 200;
   options.seconds = 1.5;
   try {
     const JsrResult found = joint_spectral_radius(transition_matrices(r), {}, options);
-    RC_ASSERT(RealAlgebraic::compare(found.lower, central) <= 0);
-    RC_ASSERT(RealAlgebraic::compare(central, found.upper) <= 0);
-    if (found.exact) RC_ASSERT(*found.exact == central);
+    LAW_ASSERT(RealAlgebraic::compare(found.lower, central) <= 0);
+    LAW_ASSERT(RealAlgebraic::compare(central, found.upper) <= 0);
+    if (found.exact) LAW_ASSERT(*found.exact == central);
   } catch (const Error& e) {
-    RC_ASSERT(e.kind == Error::Kind::undecided);
+    LAW_ASSERT(e.kind == Error::Kind::undecided);
   }
 }
 
@@ -255,21 +257,21 @@ TEST(ShiftStability, OnlyCyclesCount) {
 }
 
 // B-splines are stable; a factor q(z^m)/q(1) with a zero of q on the circle makes the sub-symbols share it.
-RC_GTEST_PROP(ShiftStabilityLaws, CommonFactors, ()) {
-  const long m = *rc::uniform(2L, 5L);
-  const Rationals base = power(mean(m), *rc::uniform(1L, 4L));
+LAW(ShiftStabilityLaws, CommonFactors, ()) {
+  const long m = uniform(2L, 5L);
+  const Rationals base = power(mean(m), uniform(1L, 4L));
   Rationals a = base;
   for (auto& x : a) x *= Rational(m);
-  RC_ASSERT(shift_stability(laurent(a), m).stable);
-  const Rationals q = *rc::gen::element(Rationals{1, 1}, Rationals{1, 0, 1}, Rationals{1, 1, 1},
-                                        Rationals{5, -6, 5});  // the last: zeros (3 +- 4i)/5
+  LAW_ASSERT(shift_stability(laurent(a), m).stable);
+  const std::vector<Rationals> all{{1, 1}, {1, 0, 1}, {1, 1, 1}, {5, -6, 5}};  // the last: zeros (3 +- 4i)/5
+  const Rationals q = all[uniform<size_t>(0, all.size())];
   Rational sum;
   for (const auto& x : q) sum += x;
   const Stability with = shift_stability(laurent(convolved(a, dilated(times(sum.inverse(), q), m))), m);
-  RC_ASSERT(!with.stable);
-  RC_ASSERT(with.common_zero);
+  LAW_ASSERT(!with.stable);
+  LAW_ASSERT(with.common_zero);
   // Zeros off the circle do no harm.
-  RC_ASSERT(shift_stability(laurent(convolved(a, dilated({Rational(3, 4), Rational(1, 4)}, m))), m).stable);
+  LAW_ASSERT(shift_stability(laurent(convolved(a, dilated({Rational(3, 4), Rational(1, 4)}, m))), m).stable);
 }
 
 TEST(ShiftStability, LongBoxes) {

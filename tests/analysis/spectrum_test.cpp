@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/analysis/roots.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -325,63 +325,59 @@ struct Random {
   int arity;
 };
 
-rc::Gen<Random> random_mask(bool parameters) {
-  const auto coefficient = rc::gen::map(rc::gen::tuple(rc::uniform(-4L, 5L), rc::uniform(1L, 5L), rc::uniform(0, 4)),
-                                        [parameters](const std::tuple<long, long, int>& t) {
-                                          RationalFunction c = Rational(std::get<0>(t), std::get<1>(t));
-                                          if (parameters && std::get<2>(t) == 0) c *= RationalFunction::variable("w");
-                                          return c;
-                                        });
-  return rc::gen::map(
-      rc::gen::tuple(rc::uniform(-6L, 1L), rc::up_to(parameters ? 6 : 10, coefficient), rc::uniform(2, 5)),
-      [](const std::tuple<long, std::vector<RationalFunction>, int>& t) {
-        auto c = std::get<1>(t);
-        c.insert(c.begin(), RationalFunction(1));
-        c.push_back(RationalFunction(Rational(1, 2)));
-        return Random{Laurent(std::get<0>(t), c), std::get<2>(t)};
-      });
+Random random_mask(bool parameters) {
+  const long lowest = uniform(-6L, 1L);
+  auto c = several(uniform<size_t>(0, parameters ? 7 : 11), [parameters] {
+    const long n = uniform(-4L, 5L);
+    RationalFunction x = Rational(n, uniform(1L, 5L));
+    if (parameters && uniform(0, 4) == 0) x *= RationalFunction::variable("w");
+    return x;
+  });
+  c.insert(c.begin(), RationalFunction(1));
+  c.push_back(RationalFunction(Rational(1, 2)));
+  return {Laurent(lowest, std::move(c)), uniform(2, 5)};
 }
 
-RC_GTEST_PROP(Laws, RandomMasks, ()) {
-  const Random r = *random_mask(false);
-  RC_PRE(static_cast<long>(r.mask.coefficients().size()) > r.arity);
+LAW(Laws, RandomMasks, ()) {
+  const Random r = random_mask(false);
+  LAW_GIVEN(static_cast<long>(r.mask.coefficients().size()) > r.arity);
   const Spectrum s = spectrum(r.mask, r.arity);
   expect_consistent(s);
-  RC_ASSERT(!testing::Test::HasFailure());
+  LAW_ASSERT(!testing::Test::HasFailure());
   const Matrix<Rational> a = *constant(s.matrix.entries);
   const auto p = characteristic_polynomial(a);
-  RC_ASSERT(polynomial_of(a, p) == Matrix<Rational>(a.rows(), a.rows()));  // Cayley and Hamilton
-  RC_ASSERT((a.rows() % 2 == 0 ? p[0] : -p[0]) == determinant(a));
+  LAW_ASSERT(polynomial_of(a, p) == Matrix<Rational>(a.rows(), a.rows()));  // Cayley and Hamilton
+  LAW_ASSERT((a.rows() % 2 == 0 ? p[0] : -p[0]) == determinant(a));
   const SymbolicMatrix b = symbolic(a);
   const auto q = characteristic_polynomial(b);
-  for (std::size_t k = 0; k < p.size(); ++k) RC_ASSERT(q[k] == RationalFunction(p[k]));
-  RC_ASSERT(determinant(b) == RationalFunction(determinant(a)));
-  RC_ASSERT(rank(b) == rank(a));
-  RC_ASSERT(kernel(b).size() == kernel(a).size());
+  for (std::size_t k = 0; k < p.size(); ++k) LAW_ASSERT(q[k] == RationalFunction(p[k]));
+  LAW_ASSERT(determinant(b) == RationalFunction(determinant(a)));
+  LAW_ASSERT(rank(b) == rank(a));
+  LAW_ASSERT(kernel(b).size() == kernel(a).size());
   for (const auto& x : kernel(a))
-    for (const auto& c : product(a, x)) RC_ASSERT(c.is_zero());
+    for (const auto& c : product(a, x)) LAW_ASSERT(c.is_zero());
   const auto inverted = inverse(a);
-  RC_ASSERT(inverted.has_value() == !determinant(a).is_zero());
+  LAW_ASSERT(inverted.has_value() == !determinant(a).is_zero());
   if (inverted) {
-    RC_ASSERT(product(a, *inverted) == Matrix<Rational>::identity(a.rows()));
-    RC_ASSERT(symbolic(*inverted) == inverse(b).value());
+    LAW_ASSERT(product(a, *inverted) == Matrix<Rational>::identity(a.rows()));
+    LAW_ASSERT(symbolic(*inverted) == inverse(b).value());
   }
 }
 
-RC_GTEST_PROP(Laws, RandomMasksWithAParameter, ()) {
-  const Random r = *random_mask(true);
-  RC_PRE(static_cast<long>(r.mask.coefficients().size()) > r.arity);
+LAW(Laws, RandomMasksWithAParameter, ()) {
+  const Random r = random_mask(true);
+  LAW_GIVEN(static_cast<long>(r.mask.coefficients().size()) > r.arity);
   const Spectrum s = spectrum(r.mask, r.arity);
   expect_consistent(s);
-  RC_ASSERT(!testing::Test::HasFailure());
+  LAW_ASSERT(!testing::Test::HasFailure());
   const SymbolicMatrix& a = s.matrix.entries;
   const auto p = characteristic_polynomial(a);
-  RC_ASSERT(polynomial_of(a, p) == SymbolicMatrix(a.rows(), a.rows()));
-  RC_ASSERT((a.rows() % 2 == 0 ? p[0] : -p[0]) == determinant(a));
+  LAW_ASSERT(polynomial_of(a, p) == SymbolicMatrix(a.rows(), a.rows()));
+  LAW_ASSERT((a.rows() % 2 == 0 ? p[0] : -p[0]) == determinant(a));
   const auto inverted = inverse(a);
-  RC_ASSERT(inverted.has_value() == !determinant(a).is_zero());
+  LAW_ASSERT(inverted.has_value() == !determinant(a).is_zero());
   if (inverted) {
-    RC_ASSERT(product(a, *inverted) == SymbolicMatrix::identity(a.rows()));
+    LAW_ASSERT(product(a, *inverted) == SymbolicMatrix::identity(a.rows()));
   }
 }
 

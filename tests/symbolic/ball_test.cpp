@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 
 namespace twoscale::tests {
 namespace {
@@ -104,9 +104,9 @@ TEST(RoundedDecimal, CornersAgainstLongDivision) {
       }
 }
 
-RC_GTEST_PROP(RoundedDecimal, RandomAgainstLongDivision, (const Rational& mantissa)) {
-  const Rational x = mantissa * Rational(10).pow(*rc::uniform(-40L, 41L));
-  const long digits = *rc::uniform(1L, 60L);
+LAW(RoundedDecimal, RandomAgainstLongDivision, (const Rational& mantissa)) {
+  const Rational x = mantissa * Rational(10).pow(uniform(-40L, 41L));
+  const long digits = uniform(1L, 60L);
   expect_correct(x, digits, rounded_decimal(x, digits));
   const std::string enclosed = rounded_decimal(Ball(x, 1000), digits);
   if (!enclosed.empty()) expect_correct(x, digits, enclosed);
@@ -177,13 +177,13 @@ TEST(RoundedDouble, TiesGoToEvenAndDoubtIsSaid) {
   EXPECT_FALSE(rounded_double(doubtful, got));
 }
 
-RC_GTEST_PROP(Ball, ContainsWhatItWasMadeFrom, (const Rational& x)) {
+LAW(Ball, ContainsWhatItWasMadeFrom, (const Rational& x)) {
   for (const long bits : {2L, 10L, 53L, 200L}) {
     const Ball b(x, bits);
-    RC_ASSERT(arb_contains_fmpq(b.raw(), x.raw()) != 0);
-    RC_ASSERT(b.is_exact_zero() == x.is_zero());
-    if (b.is_positive()) RC_ASSERT(x.sign() > 0);
-    if (b.is_negative()) RC_ASSERT(x.sign() < 0);
+    LAW_ASSERT(arb_contains_fmpq(b.raw(), x.raw()) != 0);
+    LAW_ASSERT(b.is_exact_zero() == x.is_zero());
+    if (b.is_positive()) LAW_ASSERT(x.sign() > 0);
+    if (b.is_negative()) LAW_ASSERT(x.sign() < 0);
   }
 }
 

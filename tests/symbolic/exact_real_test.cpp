@@ -2,7 +2,7 @@
 /// Exact constants: signs decided, zeros proved, enclosures that enclose, decimals that are right.
 #include "twoscale/symbolic/exact_real.hpp"
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
 
@@ -79,24 +79,24 @@ TEST(ExactRealSign, NoValueIsNoSign) {
   EXPECT_EQ(ExactReal::apply(F::acosh, ExactReal(Rational(1, 2))).sign(256), Sign::unknown);
 }
 
-RC_GTEST_PROP(ExactRealSign, RationalArithmetic, (const Rational& a, const Rational& b)) {
+LAW(ExactRealSign, RationalArithmetic, (const Rational& a, const Rational& b)) {
   const auto expected = [](const Rational& q) {
     return q.is_zero() ? Sign::zero : q.sign() > 0 ? Sign::positive : Sign::negative;
   };
   // Through square roots, so that nothing folds: sqrt(a^2 + 1)^2 = a^2 + 1.
   const ExactReal x = (ExactReal(a) * a + 1).pow(Rational(1, 2)).pow(2);
-  RC_ASSERT((x - (ExactReal(b) * b + 1)).sign() == expected(a * a - b * b));
-  RC_ASSERT((ExactReal(a) - b).sign() == expected(a - b));
+  LAW_ASSERT((x - (ExactReal(b) * b + 1)).sign() == expected(a * a - b * b));
+  LAW_ASSERT((ExactReal(a) - b).sign() == expected(a - b));
 }
 
-RC_GTEST_PROP(ExactRealSign, RandomIdentitiesOfCosines, ()) {
-  const long q = *rc::uniform(1L, 30L);
-  const long a = *rc::uniform(-60L, 60L);
-  const long b = *rc::uniform(-60L, 60L);
+LAW(ExactRealSign, RandomIdentitiesOfCosines, ()) {
+  const long q = uniform(1L, 30L);
+  const long a = uniform(-60L, 60L);
+  const long b = uniform(-60L, 60L);
   // 2 cos A cos B = cos(A+B) + cos(A-B)
   const ExactReal identity = ExactReal(2) * cosine(a, q) * cosine(b, q) - cosine(a + b, q) - cosine(a - b, q);
-  RC_ASSERT(identity.sign() == Sign::zero);
-  RC_ASSERT((identity + Rational(2).pow(-200)).sign() == Sign::positive);
+  LAW_ASSERT(identity.sign() == Sign::zero);
+  LAW_ASSERT((identity + Rational(2).pow(-200)).sign() == Sign::positive);
 }
 
 TEST(ExactReal, EnclosuresContainTheValue) {

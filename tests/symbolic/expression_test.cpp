@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale {
@@ -53,12 +53,12 @@ TEST(Expression, DecimalsAreExact) {
   EXPECT_EQ(number("1e-400") * number("1e400"), Rational(1));
 }
 
-RC_GTEST_PROP(Expression, DecimalsOfAnyLength, ()) {
+LAW(Expression, DecimalsOfAnyLength, ()) {
   const std::string digits =
-      Rational(*rc::uniform(1L, 1000000000000L)).to_string() + Rational(*rc::uniform(1L, 1000000000000L)).to_string();
-  const size_t point = *rc::uniform<size_t>(0, digits.size());
+      Rational(uniform(1L, 1000000000000L)).to_string() + Rational(uniform(1L, 1000000000000L)).to_string();
+  const size_t point = uniform<size_t>(0, digits.size());
   const std::string text = digits.substr(0, point) + "." + digits.substr(point);
-  RC_ASSERT(number(text) == Rational::parse(digits) / Rational(10).pow(static_cast<long>(digits.size() - point)));
+  LAW_ASSERT(number(text) == Rational::parse(digits) / Rational(10).pow(static_cast<long>(digits.size() - point)));
 }
 
 TEST(Expression, EveryFunctionOfTheContract) {
@@ -104,16 +104,16 @@ TEST(Expression, RationalFunctions) {
     EXPECT_THROW(parse_rational_function(text), Error) << text;
 }
 
-RC_GTEST_PROP(Expression, GinacAndBack, (const RationalFunction& f)) {
+LAW(Expression, GinacAndBack, (const RationalFunction& f)) {
   Symbols symbols;
-  RC_ASSERT(to_rational_function(to_ginac(f, symbols)) == f);
+  LAW_ASSERT(to_rational_function(to_ginac(f, symbols)) == f);
 }
 
 /// The text with ** for ^ is SymPy's; both ways of writing are read as the same.
-RC_GTEST_PROP(Expression, SympySpelling, (const RationalFunction& f)) {
+LAW(Expression, SympySpelling, (const RationalFunction& f)) {
   std::string text;
   for (const char c : f.to_string()) text += c == '^' ? "**" : std::string(1, c);
-  RC_ASSERT(parse_rational_function(text) == f);
+  LAW_ASSERT(parse_rational_function(text) == f);
 }
 
 TEST(ExpressionErrors, NameThePiece) {

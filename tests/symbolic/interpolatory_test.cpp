@@ -2,8 +2,8 @@
 /// The step from sigma to omega and zeta: three routes and the definition must give the same answer.
 #include "twoscale/symbolic/interpolatory.hpp"
 
+#include "support/laws.hpp"
 #include "symbolic/exact_points.hpp"
-#include "symbolic/generators.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -141,9 +141,9 @@ std::vector<Member> members() {
 INSTANTIATE_TEST_SUITE_P(romani2009, Families, ::testing::ValuesIn(members()),
                          [](const auto& member) { return member.param.family + std::to_string(member.param.l); });
 
-RC_GTEST_PROP(InterpolatingSymbol, AllRoutesAgreeOnAnySpace, (const Space& space)) {
-  RC_PRE(space.dimension() % 2 == 0U);
-  RC_ASSERT(fault(space) == std::string());
+LAW(InterpolatingSymbol, AllRoutesAgreeOnAnySpace, (const Space& space)) {
+  LAW_GIVEN(space.dimension() % 2 == 0U);
+  LAW_ASSERT(fault(space) == std::string());
 }
 
 TEST(InterpolatingSymbol, PolynomialsOfEveryOrder) {

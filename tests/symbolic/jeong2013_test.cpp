@@ -4,8 +4,8 @@
 /// on -1/2 there and on 1/2 here.
 #include <algorithm>
 
+#include "support/laws.hpp"
 #include "symbolic/exact_points.hpp"
-#include "symbolic/generators.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/expression.hpp"
 #include "twoscale/symbolic/quasi_spline.hpp"

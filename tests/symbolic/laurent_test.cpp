@@ -2,7 +2,7 @@
 /// Laurent polynomials over rational functions: ring laws, sub-symbols, division, centre of symmetry.
 #include "twoscale/symbolic/laurent.hpp"
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/expression.hpp"
 
 namespace twoscale::tests {
@@ -10,84 +10,84 @@ namespace {
 
 RationalFunction rf(const char* text) { return parse_rational_function(text); }
 
-RC_GTEST_PROP(LaurentLaws, Ring, (const Laurent& a, const Laurent& b, const Laurent& c)) {
-  RC_ASSERT((a + b) + c == a + (b + c));
-  RC_ASSERT((a * b) * c == a * (b * c));
-  RC_ASSERT(a * (b + c) == a * b + a * c);
-  RC_ASSERT(a + b == b + a);
-  RC_ASSERT(a * b == b * a);
-  RC_ASSERT((a - a).is_zero());
-  RC_ASSERT(a * Laurent::monomial(0) == a);
-  RC_ASSERT(rf("v/(v+3)") * a == Laurent::monomial(0, rf("v/(v+3)")) * a);
-  for (const Laurent& x : {a, a + b, a - b, a * b, a - a, (a + b) - b}) RC_ASSERT(x.is_canonical());
-  RC_ASSERT((a + b) - b == a);
+LAW(LaurentLaws, Ring, (const Laurent& a, const Laurent& b, const Laurent& c)) {
+  LAW_ASSERT((a + b) + c == a + (b + c));
+  LAW_ASSERT((a * b) * c == a * (b * c));
+  LAW_ASSERT(a * (b + c) == a * b + a * c);
+  LAW_ASSERT(a + b == b + a);
+  LAW_ASSERT(a * b == b * a);
+  LAW_ASSERT((a - a).is_zero());
+  LAW_ASSERT(a * Laurent::monomial(0) == a);
+  LAW_ASSERT(rf("v/(v+3)") * a == Laurent::monomial(0, rf("v/(v+3)")) * a);
+  for (const Laurent& x : {a, a + b, a - b, a * b, a - a, (a + b) - b}) LAW_ASSERT(x.is_canonical());
+  LAW_ASSERT((a + b) - b == a);
 }
 
-RC_GTEST_PROP(LaurentLaws, CoefficientsOfAProductAreConvolutions, (const Laurent& a, const Laurent& b)) {
+LAW(LaurentLaws, CoefficientsOfAProductAreConvolutions, (const Laurent& a, const Laurent& b)) {
   const Laurent p = a * b;
   for (long i = a.lowest() + b.lowest(); i <= a.highest() + b.highest(); ++i) {
     RationalFunction sum;
     for (long j = a.lowest(); j <= a.highest(); ++j) sum += a.coefficient(j) * b.coefficient(i - j);
-    RC_ASSERT(p.coefficient(i) == sum);
+    LAW_ASSERT(p.coefficient(i) == sum);
   }
 }
 
-RC_GTEST_PROP(LaurentLaws, EvaluationIsAHomomorphism, (const Laurent& a, const Laurent& b)) {
+LAW(LaurentLaws, EvaluationIsAHomomorphism, (const Laurent& a, const Laurent& b)) {
   for (const RationalFunction& z : {rf("1"), rf("-1"), rf("2/3"), rf("w")}) {
-    RC_ASSERT((a + b).evaluate(z) == a.evaluate(z) + b.evaluate(z));
-    RC_ASSERT((a * b).evaluate(z) == a.evaluate(z) * b.evaluate(z));
+    LAW_ASSERT((a + b).evaluate(z) == a.evaluate(z) + b.evaluate(z));
+    LAW_ASSERT((a * b).evaluate(z) == a.evaluate(z) * b.evaluate(z));
   }
-  RC_ASSERT(a.at_one() == a.evaluate(1));
+  LAW_ASSERT(a.at_one() == a.evaluate(1));
 }
 
-RC_GTEST_PROP(LaurentLaws, SubsymbolsReassemble, (const Laurent& a)) {
+LAW(LaurentLaws, SubsymbolsReassemble, (const Laurent& a)) {
   for (const long m : {1L, 2L, 3L, 5L}) {
     Laurent sum;
     for (long r = 0; r < m; ++r) {
       const Laurent s = a.subsymbol(m, r);
-      RC_ASSERT(s.is_canonical());
-      for (long j = -6; j <= 6; ++j) RC_ASSERT(s.coefficient(j) == a.coefficient(m * j + r));
+      LAW_ASSERT(s.is_canonical());
+      for (long j = -6; j <= 6; ++j) LAW_ASSERT(s.coefficient(j) == a.coefficient(m * j + r));
       sum = sum + s.dilated(m).shifted(r);
     }
-    RC_ASSERT(sum == a);
+    LAW_ASSERT(sum == a);
   }
 }
 
-RC_GTEST_PROP(LaurentLaws, ShiftAndDilation, (const Laurent& a, const Laurent& b)) {
-  RC_ASSERT(a.shifted(3) == Laurent::monomial(3) * a);
-  RC_ASSERT(a.shifted(-4).shifted(4) == a);
-  RC_ASSERT((a * b).dilated(3) == a.dilated(3) * b.dilated(3));
-  RC_ASSERT(a.dilated(1) == a);
-  RC_ASSERT(a.dilated(2).dilated(3) == a.dilated(6));
-  RC_ASSERT(a.dilated(3).subsymbol(3, 0) == a);
-  RC_ASSERT(a.dilated(3).subsymbol(3, 1).is_zero());
+LAW(LaurentLaws, ShiftAndDilation, (const Laurent& a, const Laurent& b)) {
+  LAW_ASSERT(a.shifted(3) == Laurent::monomial(3) * a);
+  LAW_ASSERT(a.shifted(-4).shifted(4) == a);
+  LAW_ASSERT((a * b).dilated(3) == a.dilated(3) * b.dilated(3));
+  LAW_ASSERT(a.dilated(1) == a);
+  LAW_ASSERT(a.dilated(2).dilated(3) == a.dilated(6));
+  LAW_ASSERT(a.dilated(3).subsymbol(3, 0) == a);
+  LAW_ASSERT(a.dilated(3).subsymbol(3, 1).is_zero());
 }
 
-RC_GTEST_PROP(LaurentLaws, QuotientUndoesMultiplication, (const Laurent& a, const Laurent& b)) {
-  RC_PRE(!b.is_zero());
+LAW(LaurentLaws, QuotientUndoesMultiplication, (const Laurent& a, const Laurent& b)) {
+  LAW_GIVEN(!b.is_zero());
   const auto q = Laurent::quotient(a * b, b);
-  RC_ASSERT(q.has_value());
-  RC_ASSERT(*q == a);
+  LAW_ASSERT(q.has_value());
+  LAW_ASSERT(*q == a);
   if (b.coefficients().size() > 1) {
-    RC_ASSERT(!Laurent::quotient(a * b + Laurent::monomial(7), b).has_value());
+    LAW_ASSERT(!Laurent::quotient(a * b + Laurent::monomial(7), b).has_value());
   }
 }
 
-RC_GTEST_PROP(LaurentLaws, Symmetry, (const Laurent& a)) {
-  RC_PRE(!a.is_zero());
+LAW(LaurentLaws, Symmetry, (const Laurent& a)) {
+  LAW_GIVEN(!a.is_zero());
   std::vector<RationalFunction> c(a.coefficients().rbegin(), a.coefficients().rend());
   const Laurent mirror(-a.highest(), c);  // a(1/z)
   const auto centre = (a * mirror).centre_of_symmetry();
-  RC_ASSERT(centre.has_value());
-  RC_ASSERT(*centre == Rational(0));
-  RC_ASSERT((a * mirror).shifted(5).centre_of_symmetry() == Rational(5));
-  RC_ASSERT(a.centre_of_symmetry().has_value() == (mirror.shifted(a.lowest() + a.highest()) == a));
+  LAW_ASSERT(centre.has_value());
+  LAW_ASSERT(*centre == Rational(0));
+  LAW_ASSERT((a * mirror).shifted(5).centre_of_symmetry() == Rational(5));
+  LAW_ASSERT(a.centre_of_symmetry().has_value() == (mirror.shifted(a.lowest() + a.highest()) == a));
 }
 
-RC_GTEST_PROP(LaurentLaws, SubstitutionIsAHomomorphism, (const Laurent& a, const Laurent& b)) {
+LAW(LaurentLaws, SubstitutionIsAHomomorphism, (const Laurent& a, const Laurent& b)) {
   const RationalFunction by = rf("1/(w^2+2)");
-  RC_ASSERT((a * b).substitute("v", by) == a.substitute("v", by) * b.substitute("v", by));
-  RC_ASSERT(a.substitute("w", by) == a);
+  LAW_ASSERT((a * b).substitute("v", by) == a.substitute("v", by) * b.substitute("v", by));
+  LAW_ASSERT(a.substitute("w", by) == a);
 }
 
 TEST(Laurent, TrimsItsEnds) {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "support/laws.hpp"
 #include "symbolic/exact_points.hpp"
-#include "symbolic/generators.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -91,11 +91,11 @@ std::string fault(const Space& space, int arity) {
   return "";
 }
 
-RC_GTEST_PROP(MaryInterpolatory, EveryRouteOnAnySpace, (const Space& space)) {
-  const int arity = *rc::uniform(2, 6);
-  RC_PRE(has_interpolating_scheme(space, arity));
-  RC_PRE(static_cast<unsigned>(arity) * space.dimension() <= 24U);
-  RC_ASSERT(fault(space, arity) == "");
+LAW(MaryInterpolatory, EveryRouteOnAnySpace, (const Space& space)) {
+  const int arity = uniform(2, 6);
+  LAW_GIVEN(has_interpolating_scheme(space, arity));
+  LAW_GIVEN(static_cast<unsigned>(arity) * space.dimension() <= 24U);
+  LAW_ASSERT(fault(space, arity) == "");
 }
 
 TEST(MaryInterpolatory, FamiliesOfEveryArity) {
@@ -200,22 +200,22 @@ Found poles(const Laurent& a, long m) {
   return found;
 }
 
-RC_GTEST_PROP(MarySingularSet, EqualsThePolesForAnySpaceOfOneFrequency, (const Space& space)) {
-  RC_PRE(space.variables().size() <= 1U);
-  const int arity = *rc::uniform(2, 6);
-  RC_PRE(static_cast<unsigned>(arity) * space.dimension() <= 32U);
+LAW(MarySingularSet, EqualsThePolesForAnySpaceOfOneFrequency, (const Space& space)) {
+  LAW_GIVEN(space.variables().size() <= 1U);
+  const int arity = uniform(2, 6);
+  LAW_GIVEN(static_cast<unsigned>(arity) * space.dimension() <= 32U);
   const Laurent a =
       has_interpolating_scheme(space, arity) ? interpolating_symbol(space, arity) : bspline_symbol(space, arity);
-  RC_ASSERT(listed(space, arity) == poles(a, arity));
+  LAW_ASSERT(listed(space, arity) == poles(a, arity));
 }
 
 /// Two frequencies: every listed condition is a denominator; every denominator that is not listed has one sign at
 /// many points of the domain (and a listed one has two).
-RC_GTEST_PROP(MarySingularSet, ConditionsAreTheDenominatorsThatChangeSign, (const Space& space)) {
-  RC_PRE(space.variables().size() == 2U);
-  const int arity = *rc::uniform(2, 5);
-  RC_PRE(has_interpolating_scheme(space, arity));
-  RC_PRE(static_cast<unsigned>(arity) * space.dimension() <= 24U);
+LAW(MarySingularSet, ConditionsAreTheDenominatorsThatChangeSign, (const Space& space)) {
+  LAW_GIVEN(space.variables().size() == 2U);
+  const int arity = uniform(2, 5);
+  LAW_GIVEN(has_interpolating_scheme(space, arity));
+  LAW_GIVEN(static_cast<unsigned>(arity) * space.dimension() <= 24U);
   std::set<std::string> conditions;
   for (const auto& f : singular_set(space, arity).conditions) conditions.insert(f.to_string());
   std::set<std::string> changing;
@@ -237,7 +237,7 @@ RC_GTEST_PROP(MarySingularSet, ConditionsAreTheDenominatorsThatChangeSign, (cons
         }
       if (negative && positive) changing.insert(f.to_string());
     }
-  RC_ASSERT(conditions == changing);
+  LAW_ASSERT(conditions == changing);
 }
 
 TEST(MarySingularSet, KnownSets) {

@@ -5,8 +5,8 @@
 /// interpolating algorithms. beccari2007: Beccari, Casciola, Romani, A non-stationary uniform tension controlled
 /// interpolating 4-point scheme. v stands for v^{k+1}; the papers' index i is our i - l (sigma), i - (l-1) (omega), i -
 /// (2l-1) (zeta).
+#include "support/laws.hpp"
 #include "symbolic/exact_points.hpp"
-#include "symbolic/generators.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/expression.hpp"
 #include "twoscale/symbolic/interpolatory.hpp"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <regex>
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/expression.hpp"
 
 namespace twoscale::tests {
@@ -16,134 +16,133 @@ Point point(const Rational& u, const Rational& v, const Rational& w) { return {{
 
 /// The variables are exactly those that occur in a term, sorted; terms are not zero and descend lexicographically.
 void expect_canonical(const Polynomial& p) {
-  RC_ASSERT(std::is_sorted(p.variables().begin(), p.variables().end()));
+  LAW_ASSERT(std::is_sorted(p.variables().begin(), p.variables().end()));
   std::vector<bool> occurs(p.variables().size(), false);
   std::vector<unsigned long> previous;
   bool first = true;
   p.for_each_term([&](const Rational& c, std::span<const unsigned long> e) {
-    RC_ASSERT(!c.is_zero());
-    RC_ASSERT(e.size() == p.variables().size());
+    LAW_ASSERT(!c.is_zero());
+    LAW_ASSERT(e.size() == p.variables().size());
     const std::vector<unsigned long> exponents(e.begin(), e.end());
     for (size_t i = 0; i < e.size(); ++i) occurs[i] = occurs[i] || e[i] > 0;
-    RC_ASSERT((first || exponents < previous));
+    LAW_ASSERT((first || exponents < previous));
     previous = exponents;
     first = false;
   });
-  RC_ASSERT(std::find(occurs.begin(), occurs.end(), false) == occurs.end());
+  LAW_ASSERT(std::find(occurs.begin(), occurs.end(), false) == occurs.end());
 }
 
-RC_GTEST_PROP(PolynomialLaws, Ring, (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
-  RC_ASSERT((a + b) + c == a + (b + c));
-  RC_ASSERT((a * b) * c == a * (b * c));
-  RC_ASSERT(a * (b + c) == a * b + a * c);
-  RC_ASSERT(a + b == b + a);
-  RC_ASSERT(a * b == b * a);
-  RC_ASSERT(a - b == a + (-b));
-  RC_ASSERT((a - a).is_zero());
-  RC_ASSERT(a * Polynomial(1) == a);
-  RC_ASSERT((a * Polynomial(0)).is_zero());
-  RC_ASSERT(a.pow(3) == a * a * a);
-  RC_ASSERT(a.pow(0).is_one());
+LAW(PolynomialLaws, Ring, (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
+  LAW_ASSERT((a + b) + c == a + (b + c));
+  LAW_ASSERT((a * b) * c == a * (b * c));
+  LAW_ASSERT(a * (b + c) == a * b + a * c);
+  LAW_ASSERT(a + b == b + a);
+  LAW_ASSERT(a * b == b * a);
+  LAW_ASSERT(a - b == a + (-b));
+  LAW_ASSERT((a - a).is_zero());
+  LAW_ASSERT(a * Polynomial(1) == a);
+  LAW_ASSERT((a * Polynomial(0)).is_zero());
+  LAW_ASSERT(a.pow(3) == a * a * a);
+  LAW_ASSERT(a.pow(0).is_one());
 }
 
-RC_GTEST_PROP(PolynomialLaws, CanonicalAfterEveryOperation, (const Polynomial& a, const Polynomial& b)) {
+LAW(PolynomialLaws, CanonicalAfterEveryOperation, (const Polynomial& a, const Polynomial& b)) {
   for (const Polynomial& p : {a, a + b, a - b, a * b, (a + b) - a, (a + b) * (a - b) - a * a, a.derivative("u"),
                               a.substitute("v", b), a.pow(2), -a})
     expect_canonical(p);
-  RC_ASSERT((a + b) - a == b);  // after cancellation the variables of a are gone
-  RC_ASSERT(((a + b) - a).variables() == b.variables());
+  LAW_ASSERT((a + b) - a == b);  // after cancellation the variables of a are gone
+  LAW_ASSERT(((a + b) - a).variables() == b.variables());
 }
 
-RC_GTEST_PROP(PolynomialLaws, EvaluationIsAHomomorphism,
-              (const Polynomial& a, const Polynomial& b, const Rational& u, const Rational& v, const Rational& w)) {
+LAW(PolynomialLaws, EvaluationIsAHomomorphism,
+    (const Polynomial& a, const Polynomial& b, const Rational& u, const Rational& v, const Rational& w)) {
   const Point at = point(u, v, w);
-  RC_ASSERT((a + b).evaluate(at) == a.evaluate(at) + b.evaluate(at));
-  RC_ASSERT((a * b).evaluate(at) == a.evaluate(at) * b.evaluate(at));
-  RC_ASSERT((-a).evaluate(at) == -a.evaluate(at));
+  LAW_ASSERT((a + b).evaluate(at) == a.evaluate(at) + b.evaluate(at));
+  LAW_ASSERT((a * b).evaluate(at) == a.evaluate(at) * b.evaluate(at));
+  LAW_ASSERT((-a).evaluate(at) == -a.evaluate(at));
   // Substitution and evaluation commute.
-  RC_ASSERT(a.substitute("v", b).evaluate(at) == a.evaluate(point(u, b.evaluate(at), w)));
+  LAW_ASSERT(a.substitute("v", b).evaluate(at) == a.evaluate(point(u, b.evaluate(at), w)));
 }
 
-RC_GTEST_PROP(PolynomialLaws, SubstitutionIsAHomomorphism,
-              (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
-  RC_ASSERT((a + b).substitute("u", c) == a.substitute("u", c) + b.substitute("u", c));
-  RC_ASSERT((a * b).substitute("u", c) == a.substitute("u", c) * b.substitute("u", c));
-  RC_ASSERT(a.substitute("u", Polynomial::variable("u")) == a);
+LAW(PolynomialLaws, SubstitutionIsAHomomorphism, (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
+  LAW_ASSERT((a + b).substitute("u", c) == a.substitute("u", c) + b.substitute("u", c));
+  LAW_ASSERT((a * b).substitute("u", c) == a.substitute("u", c) * b.substitute("u", c));
+  LAW_ASSERT(a.substitute("u", Polynomial::variable("u")) == a);
 }
 
-RC_GTEST_PROP(PolynomialLaws, DerivativeIsADerivation, (const Polynomial& a, const Polynomial& b)) {
-  RC_ASSERT((a * b).derivative("v") == a.derivative("v") * b + a * b.derivative("v"));
-  RC_ASSERT((a + b).derivative("v") == a.derivative("v") + b.derivative("v"));
-  RC_ASSERT(a.derivative("u").derivative("w") == a.derivative("w").derivative("u"));
+LAW(PolynomialLaws, DerivativeIsADerivation, (const Polynomial& a, const Polynomial& b)) {
+  LAW_ASSERT((a * b).derivative("v") == a.derivative("v") * b + a * b.derivative("v"));
+  LAW_ASSERT((a + b).derivative("v") == a.derivative("v") + b.derivative("v"));
+  LAW_ASSERT(a.derivative("u").derivative("w") == a.derivative("w").derivative("u"));
 }
 
-RC_GTEST_PROP(PolynomialLaws, QuotientUndoesMultiplication, (const Polynomial& a, const Polynomial& b)) {
-  RC_PRE(!b.is_zero());
+LAW(PolynomialLaws, QuotientUndoesMultiplication, (const Polynomial& a, const Polynomial& b)) {
+  LAW_GIVEN(!b.is_zero());
   const auto q = Polynomial::quotient(a * b, b);
-  RC_ASSERT(q.has_value());
-  RC_ASSERT(*q == a);
-  RC_ASSERT(Polynomial::exact_quotient(a * b, b) == a);
+  LAW_ASSERT(q.has_value());
+  LAW_ASSERT(*q == a);
+  LAW_ASSERT(Polynomial::exact_quotient(a * b, b) == a);
   // A remainder of smaller degree is never lost: a b + 1 is divisible by b only if b is a unit.
   if (!b.is_constant()) {
-    RC_ASSERT(!Polynomial::quotient(a * b + Polynomial(1), b).has_value());
+    LAW_ASSERT(!Polynomial::quotient(a * b + Polynomial(1), b).has_value());
   }
 }
 
-RC_GTEST_PROP(PolynomialLaws, RemoveCountsTheFactor, (const Polynomial& a, const Polynomial& f)) {
-  RC_PRE(!a.is_zero() && !f.is_constant());
-  const unsigned e = *rc::uniform(0U, 4U);
+LAW(PolynomialLaws, RemoveCountsTheFactor, (const Polynomial& a, const Polynomial& f)) {
+  LAW_GIVEN(!a.is_zero() && !f.is_constant());
+  const unsigned e = uniform(0U, 4U);
   const auto [rest, count] = (a * f.pow(e)).remove(f);
-  RC_ASSERT(count >= e);
-  RC_ASSERT(rest * f.pow(count) == a * f.pow(e));
-  RC_ASSERT(!Polynomial::quotient(rest, f).has_value());
+  LAW_ASSERT(count >= e);
+  LAW_ASSERT(rest * f.pow(count) == a * f.pow(e));
+  LAW_ASSERT(!Polynomial::quotient(rest, f).has_value());
 }
 
-RC_GTEST_PROP(PolynomialLaws, Factorisation, (const Polynomial& a, const Polynomial& b)) {
+LAW(PolynomialLaws, Factorisation, (const Polynomial& a, const Polynomial& b)) {
   const Polynomial p = a * b;
-  RC_PRE(!p.is_zero());
+  LAW_GIVEN(!p.is_zero());
   const auto f = p.factor();
-  RC_ASSERT(f.content.is_integer());
+  LAW_ASSERT(f.content.is_integer());
   Polynomial product = Polynomial::constant(f.content.numerator());
   for (size_t i = 0; i < f.factors.size(); ++i) {
     const auto& [g, e] = f.factors[i];
-    RC_ASSERT(e > 0U);
-    RC_ASSERT(g.content() == Rational(1));
-    RC_ASSERT(g.leading_sign() == 1);
-    RC_ASSERT(g.factor().factors.size() == 1U);  // irreducible
-    RC_ASSERT((i == 0 || Polynomial::compare(f.factors[i - 1].first, g) < 0));
+    LAW_ASSERT(e > 0U);
+    LAW_ASSERT(g.content() == Rational(1));
+    LAW_ASSERT(g.leading_sign() == 1);
+    LAW_ASSERT(g.factor().factors.size() == 1U);  // irreducible
+    LAW_ASSERT((i == 0 || Polynomial::compare(f.factors[i - 1].first, g) < 0));
     product *= g.pow(e);
   }
-  RC_ASSERT(product == p);
-  RC_ASSERT(abs(f.content) == p.content());  // Gauss's lemma
-  RC_ASSERT(p.content() == a.content() * b.content());
+  LAW_ASSERT(product == p);
+  LAW_ASSERT(abs(f.content) == p.content());  // Gauss's lemma
+  LAW_ASSERT(p.content() == a.content() * b.content());
 }
 
-RC_GTEST_PROP(PolynomialLaws, CompareIsATotalOrder, (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
-  RC_ASSERT(Polynomial::compare(a, b) == -Polynomial::compare(b, a));
-  RC_ASSERT((Polynomial::compare(a, b) == 0) == (a == b));
-  if (Polynomial::compare(a, b) < 0 && Polynomial::compare(b, c) < 0) RC_ASSERT(Polynomial::compare(a, c) < 0);
+LAW(PolynomialLaws, CompareIsATotalOrder, (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
+  LAW_ASSERT(Polynomial::compare(a, b) == -Polynomial::compare(b, a));
+  LAW_ASSERT((Polynomial::compare(a, b) == 0) == (a == b));
+  if (Polynomial::compare(a, b) < 0 && Polynomial::compare(b, c) < 0) LAW_ASSERT(Polynomial::compare(a, c) < 0);
 }
 
 /// The grammar of certificate texts: monomials in canonical order, no blanks, no 1*, no ^1, integer coefficients.
-RC_GTEST_PROP(PolynomialText, FollowsTheCertificateGrammar, (const Polynomial& a, const Polynomial& b)) {
+LAW(PolynomialText, FollowsTheCertificateGrammar, (const Polynomial& a, const Polynomial& b)) {
   const Polynomial p = a - b;
   const std::string text = p.to_string();
   if (p.is_zero()) {
-    RC_ASSERT(text == "0");
+    LAW_ASSERT(text == "0");
     return;
   }
   static const std::string power = "[a-z]+(\\^([2-9]|[1-9][0-9]+))?";
   static const std::string monomial = power + "(\\*" + power + ")*";
   static const std::string term = "(([2-9]|[1-9][0-9]+)\\*" + monomial + "|" + monomial + "|[1-9][0-9]*)";
   static const std::regex grammar("-?" + term + "([+-]" + term + ")*");
-  RC_ASSERT(std::regex_match(text, grammar));
+  LAW_ASSERT(std::regex_match(text, grammar));
   // Read back by the expression reader, which knows nothing of the order.
-  RC_ASSERT(parse_rational_function(text) == RationalFunction(p));
-  RC_ASSERT(parse_rational_function(p.pretty()) == RationalFunction(p));
+  LAW_ASSERT(parse_rational_function(text) == RationalFunction(p));
+  LAW_ASSERT(parse_rational_function(p.pretty()) == RationalFunction(p));
   std::string blanks;
   for (const char c : p.pretty())
     if (c != ' ') blanks += c;
-  RC_ASSERT(blanks == text);
+  LAW_ASSERT(blanks == text);
 }
 
 TEST(PolynomialText, Examples) {

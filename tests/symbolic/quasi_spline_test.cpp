@@ -2,8 +2,8 @@
 /// Quasi-splines against the definitions of generation and reproduction, for any space and any part of it.
 #include "twoscale/symbolic/quasi_spline.hpp"
 
+#include "support/laws.hpp"
 #include "symbolic/exact_points.hpp"
-#include "symbolic/generators.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -106,20 +106,18 @@ Space part_of(const Space& space, const std::vector<unsigned>& choice) {
   return text.empty() ? Space() : Space::parse(text);
 }
 
-RC_GTEST_PROP(QuasiSpline, ReproducesAnyPartOfAnySpace, (const Space& space)) {
-  const Space part = part_of(space, *rc::gen::container<std::vector<unsigned>>(6, rc::uniform(0U, 12U)));
-  RC_PRE(part.dimension() > 0U);
-  RC_ASSERT(fault(space, part) == std::string());
+LAW(QuasiSpline, ReproducesAnyPartOfAnySpace, (const Space& space)) {
+  const Space part = part_of(space, several(6, [] { return uniform(0U, 12U); }));
+  LAW_GIVEN(part.dimension() > 0U);
+  LAW_ASSERT(fault(space, part) == std::string());
 }
 
-RC_GTEST_PROP(QuasiSpline, ReproducesAllOfAnySpace, (const Space& space)) {
-  RC_ASSERT(fault(space, space) == std::string());
-}
+LAW(QuasiSpline, ReproducesAllOfAnySpace, (const Space& space)) { LAW_ASSERT(fault(space, space) == std::string()); }
 
 /// omega moves along what the part leaves free; tension along the line between two members.
-RC_GTEST_PROP(QuasiSpline, WhatIsReproducedStaysAlongTheLine, (const Space& space)) {
-  const Space part = part_of(space, *rc::gen::container<std::vector<unsigned>>(6, rc::uniform(0U, 12U)));
-  RC_PRE(part.dimension() > 0U);
+LAW(QuasiSpline, WhatIsReproducedStaysAlongTheLine, (const Space& space)) {
+  const Space part = part_of(space, several(6, [] { return uniform(0U, 12U); }));
+  LAW_GIVEN(part.dimension() > 0U);
   const QuasiSpline s = quasi_spline(space, part);
   const QuasiSpline all = quasi_spline(s.space, space);
   // The two may differ in how far the frequencies are halved.
@@ -130,25 +128,25 @@ RC_GTEST_PROP(QuasiSpline, WhatIsReproducedStaysAlongTheLine, (const Space& spac
   const bool dual = space.dimension() % 2 == 1;
   for (const Laurent& direction : {own.beta * free_factor(own), all.mask - own.mask}) {
     const auto mask = mask_at(own.mask + RationalFunction(Rational(2, 7)) * direction, level_values(common, e));
-    RC_ASSERT(mask.has_value());
-    RC_ASSERT(generates(*mask, common, e));
-    RC_ASSERT(reproduces(*mask, own.reproduced, e, dual));
+    LAW_ASSERT(mask.has_value());
+    LAW_ASSERT(generates(*mask, common, e));
+    LAW_ASSERT(reproduces(*mask, own.reproduced, e, dual));
   }
 }
 
 /// The de Rham transform keeps what its primal scheme generates and reproduces.
-RC_GTEST_PROP(QuasiSpline, DeRhamKeepsSpaces, (const Space& space)) {
-  RC_PRE(space.dimension() % 2 == 0U && space.dimension() <= 6U);
-  const Space part = part_of(space, *rc::gen::container<std::vector<unsigned>>(6, rc::uniform(0U, 12U)));
-  RC_PRE(part.dimension() > 0U);
+LAW(QuasiSpline, DeRhamKeepsSpaces, (const Space& space)) {
+  LAW_GIVEN(space.dimension() % 2 == 0U && space.dimension() <= 6U);
+  const Space part = part_of(space, several(6, [] { return uniform(0U, 12U); }));
+  LAW_GIVEN(part.dimension() > 0U);
   const QuasiSpline s = quasi_spline(space, part);
   const DeRham d = de_rham_transform(s.space, s.mask);
   const auto e = exponential_points(d.space);
   const auto mask = mask_at(d.mask, level_values(d.space, e));
-  RC_ASSERT(mask.has_value());
-  RC_ASSERT(d.mask.centre_of_symmetry() == Rational(1, 2));
-  RC_ASSERT(generates(*mask, d.space, e));
-  RC_ASSERT(reproduces(*mask, Space::rebase(s.reproduced, d.space.variables()).space, e, true));
+  LAW_ASSERT(mask.has_value());
+  LAW_ASSERT(d.mask.centre_of_symmetry() == Rational(1, 2));
+  LAW_ASSERT(generates(*mask, d.space, e));
+  LAW_ASSERT(reproduces(*mask, Space::rebase(s.reproduced, d.space.variables()).space, e, true));
 }
 
 TEST(QuasiSpline, ChosenSpaces) {

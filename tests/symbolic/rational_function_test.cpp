@@ -2,7 +2,7 @@
 /// RationalFunction: field laws, one form for one function, text that reads back, evaluation.
 #include "twoscale/symbolic/rational_function.hpp"
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
 
@@ -11,114 +11,109 @@ namespace {
 
 using Point = std::vector<std::pair<std::string, Rational>>;
 
-RC_GTEST_PROP(RationalFunctionLaws, Field,
-              (const RationalFunction& a, const RationalFunction& b, const RationalFunction& c)) {
-  RC_ASSERT((a + b) + c == a + (b + c));
-  RC_ASSERT((a * b) * c == a * (b * c));
-  RC_ASSERT(a * (b + c) == a * b + a * c);
-  RC_ASSERT(a + b == b + a);
-  RC_ASSERT(a * b == b * a);
-  RC_ASSERT((a - b) + b == a);
-  RC_ASSERT((a - a).is_zero());
+LAW(RationalFunctionLaws, Field, (const RationalFunction& a, const RationalFunction& b, const RationalFunction& c)) {
+  LAW_ASSERT((a + b) + c == a + (b + c));
+  LAW_ASSERT((a * b) * c == a * (b * c));
+  LAW_ASSERT(a * (b + c) == a * b + a * c);
+  LAW_ASSERT(a + b == b + a);
+  LAW_ASSERT(a * b == b * a);
+  LAW_ASSERT((a - b) + b == a);
+  LAW_ASSERT((a - a).is_zero());
   if (!b.is_zero()) {
-    RC_ASSERT((a / b) * b == a);
-    RC_ASSERT((b * b.inverse()).is_one());
-    RC_ASSERT(b.inverse().inverse() == b);
-    RC_ASSERT(b.pow(-2) * b.pow(3) == b);
+    LAW_ASSERT((a / b) * b == a);
+    LAW_ASSERT((b * b.inverse()).is_one());
+    LAW_ASSERT(b.inverse().inverse() == b);
+    LAW_ASSERT(b.pow(-2) * b.pow(3) == b);
   }
 }
 
-RC_GTEST_PROP(RationalFunctionLaws, CanonicalAfterEveryOperation,
-              (const RationalFunction& a, const RationalFunction& b)) {
-  RC_ASSERT(a.is_canonical());
-  RC_ASSERT((a + b).is_canonical());
-  RC_ASSERT((a - b).is_canonical());
-  RC_ASSERT((a * b).is_canonical());
-  RC_ASSERT((-a).is_canonical());
-  RC_ASSERT((a - a).is_canonical());
-  RC_ASSERT(a.pow(3).is_canonical());
-  RC_ASSERT(a.pow(0).is_canonical());
+LAW(RationalFunctionLaws, CanonicalAfterEveryOperation, (const RationalFunction& a, const RationalFunction& b)) {
+  LAW_ASSERT(a.is_canonical());
+  LAW_ASSERT((a + b).is_canonical());
+  LAW_ASSERT((a - b).is_canonical());
+  LAW_ASSERT((a * b).is_canonical());
+  LAW_ASSERT((-a).is_canonical());
+  LAW_ASSERT((a - a).is_canonical());
+  LAW_ASSERT(a.pow(3).is_canonical());
+  LAW_ASSERT(a.pow(0).is_canonical());
   if (!b.is_zero()) {
-    RC_ASSERT((a / b).is_canonical());
-    RC_ASSERT(b.inverse().is_canonical());
-    RC_ASSERT(b.pow(-2).is_canonical());
+    LAW_ASSERT((a / b).is_canonical());
+    LAW_ASSERT(b.inverse().is_canonical());
+    LAW_ASSERT(b.pow(-2).is_canonical());
   }
 }
 
 /// The same function by another way: both forms are then the same.
-RC_GTEST_PROP(RationalFunctionLaws, EqualFunctionsHaveOneForm,
-              (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
-  RC_PRE(!b.is_zero() && !c.is_zero());
+LAW(RationalFunctionLaws, EqualFunctionsHaveOneForm, (const Polynomial& a, const Polynomial& b, const Polynomial& c)) {
+  LAW_GIVEN(!b.is_zero() && !c.is_zero());
   const RationalFunction x = RationalFunction::fraction(a, b);
   const RationalFunction y = RationalFunction::fraction(a * c, b * c);
   const RationalFunction z = RationalFunction(a) / RationalFunction(b);
   const RationalFunction w = RationalFunction::fraction(-a, -b);
   for (const auto& other : {y, z, w}) {
-    RC_ASSERT(x == other);
-    RC_ASSERT(x.numerator() == other.numerator());
-    RC_ASSERT(x.denominator() == other.denominator());
-    RC_ASSERT(x.to_string() == other.to_string());
+    LAW_ASSERT(x == other);
+    LAW_ASSERT(x.numerator() == other.numerator());
+    LAW_ASSERT(x.denominator() == other.denominator());
+    LAW_ASSERT(x.to_string() == other.to_string());
   }
-  RC_ASSERT(x.denominator() * a == x.numerator() * b);  // cross-multiplied
+  LAW_ASSERT(x.denominator() * a == x.numerator() * b);  // cross-multiplied
 }
 
-RC_GTEST_PROP(RationalFunctionLaws, DifferentFunctionsDiffer, (const RationalFunction& a, const RationalFunction& b)) {
+LAW(RationalFunctionLaws, DifferentFunctionsDiffer, (const RationalFunction& a, const RationalFunction& b)) {
   const bool same = a.numerator() * b.denominator() == b.numerator() * a.denominator();
-  RC_ASSERT((a == b) == same);
-  RC_ASSERT((a - b).is_zero() == same);
+  LAW_ASSERT((a == b) == same);
+  LAW_ASSERT((a - b).is_zero() == same);
 }
 
-RC_GTEST_PROP(RationalFunctionLaws, FactorsMayBeGivenInAnyOrder, (const Polynomial& a, const Polynomial& b)) {
-  RC_PRE(!b.is_zero());
+LAW(RationalFunctionLaws, FactorsMayBeGivenInAnyOrder, (const Polynomial& a, const Polynomial& b)) {
+  LAW_GIVEN(!b.is_zero());
   auto f = b.factor();
   std::reverse(f.factors.begin(), f.factors.end());
   const RationalFunction x = RationalFunction::over_factors(a, f.content / Rational(3), f.factors);
-  RC_ASSERT(x.is_canonical());
-  RC_ASSERT(x == RationalFunction(3) * RationalFunction::fraction(a, b));
+  LAW_ASSERT(x.is_canonical());
+  LAW_ASSERT(x == RationalFunction(3) * RationalFunction::fraction(a, b));
 }
 
-RC_GTEST_PROP(RationalFunctionText, ReadsBackUnchanged, (const RationalFunction& a, const RationalFunction& b)) {
+LAW(RationalFunctionText, ReadsBackUnchanged, (const RationalFunction& a, const RationalFunction& b)) {
   for (const RationalFunction& f : {a, a * b, a - b}) {
     const std::string text = f.to_string();
-    RC_ASSERT(parse_rational_function(text) == f);
-    RC_ASSERT(parse_rational_function(text).to_string() == text);
+    LAW_ASSERT(parse_rational_function(text) == f);
+    LAW_ASSERT(parse_rational_function(text).to_string() == text);
   }
 }
 
-RC_GTEST_PROP(RationalFunctionLaws, EvaluationAgrees,
-              (const RationalFunction& a, const RationalFunction& b, const Rational& u, const Rational& v,
-               const Rational& w)) {
+LAW(RationalFunctionLaws, EvaluationAgrees,
+    (const RationalFunction& a, const RationalFunction& b, const Rational& u, const Rational& v, const Rational& w)) {
   const Point at = {{"u", u}, {"v", v}, {"w", w}};
   const auto x = a.evaluate(at);
   const auto y = b.evaluate(at);
-  RC_ASSERT(x.has_value() == !a.denominator().evaluate(at).is_zero());
-  RC_PRE(x.has_value() && y.has_value());
-  RC_ASSERT(*x == a.numerator().evaluate(at) / a.denominator().evaluate(at));
-  RC_ASSERT((a + b).evaluate(at) == *x + *y);
-  RC_ASSERT((a * b).evaluate(at) == *x * *y);
-  if (!y->is_zero()) RC_ASSERT((a / b).evaluate(at) == *x / *y);
+  LAW_ASSERT(x.has_value() == !a.denominator().evaluate(at).is_zero());
+  LAW_GIVEN(x.has_value() && y.has_value());
+  LAW_ASSERT(*x == a.numerator().evaluate(at) / a.denominator().evaluate(at));
+  LAW_ASSERT((a + b).evaluate(at) == *x + *y);
+  LAW_ASSERT((a * b).evaluate(at) == *x * *y);
+  if (!y->is_zero()) LAW_ASSERT((a / b).evaluate(at) == *x / *y);
 }
 
-RC_GTEST_PROP(RationalFunctionLaws, SubstitutionAgreesWithEvaluation,
-              (const RationalFunction& a, const RationalFunction& by, const Rational& u, const Rational& v,
-               const Rational& w)) {
+LAW(RationalFunctionLaws, SubstitutionAgreesWithEvaluation,
+    (const RationalFunction& a, const RationalFunction& by, const Rational& u, const Rational& v, const Rational& w)) {
   const Point at = {{"u", u}, {"v", v}, {"w", w}};
   const auto inner = by.evaluate(at);
-  RC_PRE(inner.has_value());
+  LAW_GIVEN(inner.has_value());
   const auto expected = a.evaluate({{"u", u}, {"v", *inner}, {"w", w}});
-  RC_PRE(expected.has_value());
+  LAW_GIVEN(expected.has_value());
   const RationalFunction composed = a.substitute("v", by);
-  RC_ASSERT(composed.is_canonical());
-  RC_ASSERT(composed.evaluate(at) == *expected);
+  LAW_ASSERT(composed.is_canonical());
+  LAW_ASSERT(composed.evaluate(at) == *expected);
 }
 
-RC_GTEST_PROP(RationalFunctionLaws, CommonDenominator,
-              (const RationalFunction& a, const RationalFunction& b, const RationalFunction& c)) {
+LAW(RationalFunctionLaws, CommonDenominator,
+    (const RationalFunction& a, const RationalFunction& b, const RationalFunction& c)) {
   const std::vector<RationalFunction> values = {a, b, c};
   const auto d = common_denominator(values);
-  for (const auto& x : values) RC_ASSERT(RationalFunction::fraction(numerator_over(x, d), d.expanded()) == x);
+  for (const auto& x : values) LAW_ASSERT(RationalFunction::fraction(numerator_over(x, d), d.expanded()) == x);
   // The least one: it divides the product, and each denominator divides it.
-  RC_ASSERT(Polynomial::quotient(a.denominator() * b.denominator() * c.denominator(), d.expanded()).has_value());
+  LAW_ASSERT(Polynomial::quotient(a.denominator() * b.denominator() * c.denominator(), d.expanded()).has_value());
 }
 
 TEST(RationalFunctionText, Examples) {

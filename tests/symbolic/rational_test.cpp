@@ -2,47 +2,47 @@
 /// Rational: a field with an order; its text; gcd and binomials.
 #include "twoscale/symbolic/rational.hpp"
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::tests {
 namespace {
 
-RC_GTEST_PROP(RationalLaws, Field, (const Rational& a, const Rational& b, const Rational& c)) {
-  RC_ASSERT((a + b) + c == a + (b + c));
-  RC_ASSERT((a * b) * c == a * (b * c));
-  RC_ASSERT(a * (b + c) == a * b + a * c);
-  RC_ASSERT(a + b == b + a);
-  RC_ASSERT(a * b == b * a);
-  RC_ASSERT((a - b) + b == a);
-  RC_ASSERT((a + (-a)).is_zero());
+LAW(RationalLaws, Field, (const Rational& a, const Rational& b, const Rational& c)) {
+  LAW_ASSERT((a + b) + c == a + (b + c));
+  LAW_ASSERT((a * b) * c == a * (b * c));
+  LAW_ASSERT(a * (b + c) == a * b + a * c);
+  LAW_ASSERT(a + b == b + a);
+  LAW_ASSERT(a * b == b * a);
+  LAW_ASSERT((a - b) + b == a);
+  LAW_ASSERT((a + (-a)).is_zero());
   if (!b.is_zero()) {
-    RC_ASSERT((a / b) * b == a);
-    RC_ASSERT(b * b.inverse() == Rational(1));
-    RC_ASSERT(b.pow(-3) * b.pow(5) == b * b);
+    LAW_ASSERT((a / b) * b == a);
+    LAW_ASSERT(b * b.inverse() == Rational(1));
+    LAW_ASSERT(b.pow(-3) * b.pow(5) == b * b);
   }
 }
 
-RC_GTEST_PROP(RationalLaws, Order, (const Rational& a, const Rational& b, const Rational& c)) {
-  RC_ASSERT((a < b) == ((b - a).sign() > 0));
-  RC_ASSERT((a == b) == (a - b).is_zero());
-  if (a < b) RC_ASSERT(a + c < b + c);
-  RC_ASSERT(abs(a) >= Rational(0));
-  RC_ASSERT((abs(a) == a || abs(a) == -a));
+LAW(RationalLaws, Order, (const Rational& a, const Rational& b, const Rational& c)) {
+  LAW_ASSERT((a < b) == ((b - a).sign() > 0));
+  LAW_ASSERT((a == b) == (a - b).is_zero());
+  if (a < b) LAW_ASSERT(a + c < b + c);
+  LAW_ASSERT(abs(a) >= Rational(0));
+  LAW_ASSERT((abs(a) == a || abs(a) == -a));
 }
 
-RC_GTEST_PROP(RationalLaws, TextReadsBack, (const Rational& a)) { RC_ASSERT(Rational::parse(a.to_string()) == a); }
+LAW(RationalLaws, TextReadsBack, (const Rational& a)) { LAW_ASSERT(Rational::parse(a.to_string()) == a); }
 
-RC_GTEST_PROP(RationalLaws, GcdMakesIntegers, (const Rational& a, const Rational& b)) {
+LAW(RationalLaws, GcdMakesIntegers, (const Rational& a, const Rational& b)) {
   const Rational g = gcd(a, b);
   if (a.is_zero() && b.is_zero()) {
-    RC_ASSERT(g.is_zero());
+    LAW_ASSERT(g.is_zero());
     return;
   }
-  RC_ASSERT(g.sign() > 0);
-  RC_ASSERT((a / g).is_integer());
-  RC_ASSERT((b / g).is_integer());
-  RC_ASSERT(gcd(a / g, b / g) == Rational(1));  // no larger one
+  LAW_ASSERT(g.sign() > 0);
+  LAW_ASSERT((a / g).is_integer());
+  LAW_ASSERT((b / g).is_integer());
+  LAW_ASSERT(gcd(a / g, b / g) == Rational(1));  // no larger one
 }
 
 TEST(Rational, IsInLowestTerms) {

@@ -2,8 +2,8 @@
 /// Scheme: stencils and symbols are the same thing; the shift; derived predicates; limits.
 #include "twoscale/symbolic/scheme.hpp"
 
+#include "support/laws.hpp"
 #include "symbolic/exact_points.hpp"
-#include "symbolic/generators.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
 #include "twoscale/symbolic/interpolatory.hpp"
@@ -26,17 +26,17 @@ Rational refined_by_stencils(const Scheme& s, const std::vector<Rational>& data,
   return sum;
 }
 
-RC_GTEST_PROP(Scheme, StencilsAndSymbolAreTheSame, (const Laurent& a)) {
-  RC_PRE(!a.at_one().is_zero());
-  const int m = *rc::uniform(2, 5);
+LAW(Scheme, StencilsAndSymbolAreTheSame, (const Laurent& a)) {
+  LAW_GIVEN(!a.at_one().is_zero());
+  const int m = uniform(2, 5);
   Scheme s;
   try {
     s = Scheme::from_symbol("test", a, m, {{"v", Parameter::Scope::constant, std::nullopt}});
   } catch (const Error&) {
-    RC_DISCARD("the centre depends on v");
+    LAW_GIVEN(!"the centre depends on v");
   }
-  RC_ASSERT(s.phases.size() == static_cast<size_t>(m));
-  RC_ASSERT(symbol(s) == a);
+  LAW_ASSERT(s.phases.size() == static_cast<size_t>(m));
+  LAW_ASSERT(symbol(s) == a);
   for (long r = 0; r < m; ++r) {
     const Stencil& t = s.phases[static_cast<size_t>(r)];
     for (long h = -12; h <= 12; ++h) {
@@ -44,7 +44,7 @@ RC_GTEST_PROP(Scheme, StencilsAndSymbolAreTheSame, (const Laurent& a)) {
       const RationalFunction value = at >= 0 && at < static_cast<long>(t.blocks.size())
                                          ? t.blocks[static_cast<size_t>(at)][0]
                                          : RationalFunction(0);
-      RC_ASSERT(value == a.coefficient(r - m * h));
+      LAW_ASSERT(value == a.coefficient(r - m * h));
     }
   }
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "symbolic/generators.hpp"
+#include "support/laws.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/interpolatory.hpp"
 
@@ -104,11 +104,11 @@ TEST(SingularSet, EqualsThePolesOfSigmaInOddDimension) {
   }
 }
 
-RC_GTEST_PROP(SingularSet, EqualsThePolesForAnySpaceOfOneFrequency, (const Space& space)) {
-  RC_PRE(space.variables().size() <= 1U);
+LAW(SingularSet, EqualsThePolesForAnySpaceOfOneFrequency, (const Space& space)) {
+  LAW_GIVEN(space.variables().size() <= 1U);
   const auto p = poles(space.dimension() % 2 == 0 ? interpolating_symbol(space) : bspline_symbol(space));
-  RC_ASSERT(p.has_value());
-  RC_ASSERT(listed(space) == *p);
+  LAW_ASSERT(p.has_value());
+  LAW_ASSERT(listed(space) == *p);
 }
 
 /// The determinant of the Hessenberg system vanishes (or has no value) at a listed v and the folded one too; elsewhere
@@ -152,18 +152,18 @@ TEST(SingularConditions, Examples) {
             (Texts{"2*v_t-1", "2*v_t^2-1", "v_s+2*v_t^2-1"}));
 }
 
-RC_GTEST_PROP(SingularConditions, AreTheDenominatorsThatCanVanish, (const Space& space)) {
-  RC_PRE(space.variables().size() == 2U && space.dimension() % 2 == 0U);
+LAW(SingularConditions, AreTheDenominatorsThatCanVanish, (const Space& space)) {
+  LAW_GIVEN(space.variables().size() == 2U && space.dimension() % 2 == 0U);
   const auto s = singular_set(space);
-  RC_ASSERT(s.values.empty());
+  LAW_ASSERT(s.values.empty());
   std::set<std::string> listed_conditions;
   for (const auto& f : s.conditions) {
-    RC_ASSERT(f.factor().factors.size() == 1U);
-    RC_ASSERT(f.content() == Rational(1));
-    RC_ASSERT(f.leading_sign() > 0);
+    LAW_ASSERT(f.factor().factors.size() == 1U);
+    LAW_ASSERT(f.content() == Rational(1));
+    LAW_ASSERT(f.leading_sign() > 0);
     listed_conditions.insert(f.to_string());
   }
-  RC_ASSERT(listed_conditions == denominators(interpolating_symbol(space)));
+  LAW_ASSERT(listed_conditions == denominators(interpolating_symbol(space)));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 /// Symbols of exponential B-splines: zeros, normalisation, binomials, generation, for several arities.
 #include "twoscale/symbolic/symbol.hpp"
 
+#include "support/laws.hpp"
 #include "symbolic/exact_points.hpp"
-#include "symbolic/generators.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/interpolatory.hpp"
 
@@ -12,45 +12,45 @@ namespace {
 
 Space polynomials(unsigned order) { return Space::one_frequency(order, {}); }
 
-RC_GTEST_PROP(BsplineSymbol, HasThePairFactorOfEveryNode, (const Space& space)) {
+LAW(BsplineSymbol, HasThePairFactorOfEveryNode, (const Space& space)) {
   Laurent rest = bspline_symbol(space);
   for (const Polynomial& w : cosh_nodes(space)) {
     const auto q = Laurent::quotient(rest, Laurent(0, {1, RationalFunction(Polynomial(2) * w), 1}));
-    RC_ASSERT(q.has_value());
+    LAW_ASSERT(q.has_value());
     rest = *q;
   }
   if (space.polynomial_order() % 2 == 1) {
     const auto q = Laurent::quotient(rest, Laurent(0, {1, 1}));
-    RC_ASSERT(q.has_value());
+    LAW_ASSERT(q.has_value());
     rest = *q;
   }
-  RC_ASSERT(rest.coefficients().size() == 1U);  // nothing else
+  LAW_ASSERT(rest.coefficients().size() == 1U);  // nothing else
 }
 
-RC_GTEST_PROP(BsplineSymbol, NormalisedSymmetricCentred, (const Space& space)) {
-  const long m = *rc::uniform(2L, 5L);
-  RC_PRE(m == 2L || space.dimension() <= 6U);
+LAW(BsplineSymbol, NormalisedSymmetricCentred, (const Space& space)) {
+  const long m = uniform(2L, 5L);
+  LAW_GIVEN(m == 2L || space.dimension() <= 6U);
   const Laurent a = bspline_symbol(space, static_cast<int>(m));
-  RC_ASSERT(a.is_canonical());
-  RC_ASSERT(a.at_one() == RationalFunction(m));
+  LAW_ASSERT(a.is_canonical());
+  LAW_ASSERT(a.at_one() == RationalFunction(m));
   const long length = static_cast<long>(space.dimension()) * (m - 1);
-  RC_ASSERT(a.highest() - a.lowest() == length);
-  RC_ASSERT(a.centre_of_symmetry().has_value());
-  RC_ASSERT(*a.centre_of_symmetry() == Rational(length % 2, 2));
+  LAW_ASSERT(a.highest() - a.lowest() == length);
+  LAW_ASSERT(a.centre_of_symmetry().has_value());
+  LAW_ASSERT(*a.centre_of_symmetry() == Rational(length % 2, 2));
 }
 
 /// Generation, by its definition at exact points: in every residue class the same combination of a sample.
-RC_GTEST_PROP(BsplineSymbol, GeneratesItsSpace, (const Space& space)) {
-  const long m = *rc::uniform(2L, 5L);
-  RC_PRE(m == 2L || space.dimension() <= 6U);
-  const auto e = exponential_points(space, *rc::uniform<size_t>(0, 5));
+LAW(BsplineSymbol, GeneratesItsSpace, (const Space& space)) {
+  const long m = uniform(2L, 5L);
+  LAW_GIVEN(m == 2L || space.dimension() <= 6U);
+  const auto e = exponential_points(space, uniform<size_t>(0, 5));
   const auto mask = mask_at(bspline_symbol(space, static_cast<int>(m)), level_values(space, e));
-  RC_ASSERT(mask.has_value());  // no pole for real frequencies
+  LAW_ASSERT(mask.has_value());  // no pole for real frequencies
   for (const Function& f : basis(space, e)) {
     // sum_{i = s mod m} i^r a_i z^i does not depend on s; z = e^{-theta}, and the space holds both signs.
     std::vector<Rational> sums(static_cast<size_t>(m));
     for (const auto& [i, value] : *mask) sums[static_cast<size_t>(((i % m) + m) % m)] += value * f(i);
-    for (const Rational& s : sums) RC_ASSERT(s == sums[0]);
+    for (const Rational& s : sums) LAW_ASSERT(s == sums[0]);
   }
 }
 
@@ -85,13 +85,13 @@ TEST(BsplineSymbol, TwoStepsOfTwoAreOneOfFour) {
   }
 }
 
-RC_GTEST_PROP(BsplineSymbol, TwoStepsOfTwoAreOneOfFourWithLevels, (const Space& space)) {
+LAW(BsplineSymbol, TwoStepsOfTwoAreOneOfFourWithLevels, (const Space& space)) {
   // The coarser step has v^k = T_2(v^{k+1}); arity 4 is written in the same finest variable.
-  RC_PRE(space.dimension() <= 6U);
+  LAW_GIVEN(space.dimension() <= 6U);
   const Laurent fine = bspline_symbol(space, 2);
   Laurent coarse = fine;
   for (const auto& v : space.variables()) coarse = coarse.substitute(v.name, Polynomial::chebyshev(v.name, 2));
-  RC_ASSERT(centred(fine * coarse.dilated(2)) == bspline_symbol(space, 4));
+  LAW_ASSERT(centred(fine * coarse.dilated(2)) == bspline_symbol(space, 4));
 }
 
 TEST(BsplineSymbol, AtOneIsThePolynomialBspline) {
@@ -140,12 +140,12 @@ TEST(SumOfNodes, ExpandsToTheSumIntoIrreducibles) {
 // ---- Extension of data by the space
 
 /// p_{-1} = sum e_j p_j for samples at spacing 1/m^k, that is at multiples of m of the fine spacing.
-RC_GTEST_PROP(ExtensionWeights, ContinueEveryFunctionOfTheSpace, (const Space& space)) {
-  const int m = *rc::uniform(2, 5);
-  const auto e = exponential_points(space, *rc::uniform<size_t>(0, 5));
+LAW(ExtensionWeights, ContinueEveryFunctionOfTheSpace, (const Space& space)) {
+  const int m = uniform(2, 5);
+  const auto e = exponential_points(space, uniform<size_t>(0, 5));
   const Values at = level_values(space, e);
   const auto weights = extension_weights(space, m);
-  RC_ASSERT(weights.size() == static_cast<size_t>(space.dimension()));
+  LAW_ASSERT(weights.size() == static_cast<size_t>(space.dimension()));
   for (const Function& f : basis(space, e))
     for (const long start : {0L, 3L, -2L}) {
       Rational before, after;
@@ -154,8 +154,8 @@ RC_GTEST_PROP(ExtensionWeights, ContinueEveryFunctionOfTheSpace, (const Space& s
         before += w * f(m * (start + static_cast<long>(j)));
         after += w * f(m * (start - static_cast<long>(j)));
       }
-      RC_ASSERT(before == f(m * (start - 1)));
-      RC_ASSERT(after == f(m * (start + 1)));  // reversed it extends the other end
+      LAW_ASSERT(before == f(m * (start - 1)));
+      LAW_ASSERT(after == f(m * (start + 1)));  // reversed it extends the other end
     }
 }
 

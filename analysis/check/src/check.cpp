@@ -24,7 +24,7 @@ struct Kind {
   Finding (*of_rules)(const HermiteContext&, Fields&, bool) = nullptr;
 };
 
-constexpr std::array<Kind, 24> kinds{{
+constexpr std::array<Kind, 28> kinds{{
     {"interpolatory", "definition", check_interpolatory},
     {"symmetric", "definition", check_symmetric},
     {"sum-rules", "definition", check_sum_rules},
@@ -41,6 +41,10 @@ constexpr std::array<Kind, 24> kinds{{
     {"jsr-family", "invariant-polytope", check_jsr_family},
     {"stability", "jia-wang", check_stability},
     {"nonstationary", "nonstationary", check_nonstationary},
+    {"knots-reproduces", "definition", check_knots_reproduces},
+    {"knots-support", "compact-support", check_knots_support},
+    {"junction", "schur-cohn", check_junction},
+    {"knots-continuity", "piecewise-uniform", check_knots_continuity},
     {"positivity", "", nullptr, nullptr, check_positivity},
     {"root-bound", "schur-cohn", nullptr, nullptr, check_root_bound},
     {"bezier-form", "hermite-interpolation", nullptr, nullptr, check_bezier_form},
@@ -202,10 +206,11 @@ void check_document(std::string_view text, Report& report, Meter& meter) {
   std::optional<Identities> identities;
   RadiusBounds radius;
   HermiteFacts facts;
+  KnotFacts knots;
   std::optional<Subject> subject;
   if (certificate != nullptr) {
     report.lines.push_back(head_line(*certificate));
-    subject.emplace(Context{*certificate, identities.emplace(*certificate, meter), meter, radius});
+    subject.emplace(Context{*certificate, identities.emplace(*certificate, meter), meter, radius, knots});
   } else if (family != nullptr) {
     report.lines.push_back(head_line(*family));
     subject.emplace(FamilyContext{*family, meter});

@@ -8,7 +8,7 @@
 namespace twoscale::check {
 namespace {
 
-constexpr std::array<Theorem, 15> list{{
+constexpr std::array<Theorem, 17> list{{
     {"definition", "nothing beyond the definition",
      "The property is, by definition, the identity that was verified (interpolatory: a_{mj} = 1 for j = 0, else 0; "
      "symmetric about c: a_{2c-i} = a_i; sum rules of order N: for r < N the sums of i^r a_i over i = s mod m do not "
@@ -133,6 +133,19 @@ constexpr std::array<Theorem, 15> list{{
      "x or in "
      "any regular C^2 parameter; but (p_1 x p_2)/|p_1|^3 converges uniformly to the curvature of the limit, which is "
      "continuous where p_1 != 0, and at the vertices is that of their data."},
+    {"compact-support", "Cavaretta-Dahmen-Micchelli 1991",
+     "If the points -l..h are the only ones that are not 0, a step leaves at most the points -(2 l + 2 b - 1)..2 h + 1 "
+     "- "
+     "2 a, where the rule reads p_{i+a}, ..., p_{i+b} in the edge i. So after k steps the data 1 at x_0 end at (2^k - "
+     "1)(1 - 2 b) and (2^k - 1)(1 - 2 a), within the knots x_{1-2b} and x_{1-2a}. The basic limit function of a mask "
+     "a_l, ..., a_h, a_l and a_h not 0, that converges vanishes identically neither beside l nor beside h."},
+    {"piecewise-uniform", "Warren 1995; Dyn-Gregory-Levin 1995; the argument in full in docs/nonuniform.md",
+     "A scheme keeps the points and reads finitely many neighbours; intervals are halved at every step, and edge "
+     "parameters at rest are those of all edges but the two at a vertex of the data. Between the vertices it is "
+     "the scheme on equal knots from some level on, at a vertex one matrix M acts at all levels. Let the mask on equal "
+     "knots have sum rules of order N and a remainder of joint spectral radius less than 2^{N-l}, the scheme reproduce "
+     "polynomials of degree at most l on all knots, and all eigenvalues of M but the simple 1, 1/2, ..., 2^-l be "
+     "smaller than 2^-l in modulus. Then it converges uniformly and its limits are C^l there."},
 }};
 
 }  // namespace

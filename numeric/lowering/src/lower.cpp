@@ -9,6 +9,7 @@
 
 #include "algebraic.hpp"
 #include "evaluator.hpp"
+#include "fixed_point.hpp"
 #include "rounding.hpp"
 #include "twoscale/kernels/number_text.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -23,7 +24,8 @@ constexpr long least_digits = 17;
 constexpr long most_digits = 10000;
 constexpr long most_output = 1L << 31;  // characters
 constexpr int most_retries = 8;
-constexpr long largest_expanded = 48;  // degree up to which the denominator is evaluated as one polynomial
+constexpr long largest_expanded = 48;    // degree up to which the denominator is evaluated as one polynomial
+constexpr long most_fixed_digits = 600;  // beyond, balls are as fast as fixed point: powers of u get fewer bits
 
 // One printed number.
 struct Cell {
@@ -229,17 +231,31 @@ class Lowering {
     return true;
   }
 
+  bool cell(const Fixed& x, Cell& c) {
+    if (!rounded_double(x, c.value)) return false;
+    c.exact = false;
+    if (options_.digits == 0) {
+      c.text = kernels::shortest(c.value);
+      c.last = ulp_exponent(c.value);
+      return true;
+    }
+    if (!rounder_.round(x, decimal_)) return false;
+    std::swap(c.text, decimal_.text);
+    c.last = decimal_.last;
+    return true;
+  }
+
   bool rounded_double_of(const Ball& x, double& d) {
     if (x.contains_zero()) return false;
     arb_set_round(short_.raw(), x.raw(), 128);
-    return rounded_double(short_, d);
+    return rounded_double(short_, d) || rounded_double(x, d);
   }
 
-  // The guard covers the growth of errors in a mask of moderate size; what it does not cover is done again.
-  long working_bits() const {
-    return options_.digits == 0 ? 53 + 64
-                                : static_cast<long>(std::ceil(static_cast<double>(options_.digits) * 3.3219281)) + 64;
+  long digit_bits() const {
+    return options_.digits == 0 ? 53 : static_cast<long>(std::ceil(static_cast<double>(options_.digits) * 3.3219281));
   }
+  // The guard covers the growth of errors in a mask of moderate size; what it does not cover is done again.
+  long working_bits() const { return digit_bits() + 64; }
 
   // ---- Evaluation at one level: k is the fine level, nullopt the limit
 
@@ -383,6 +399,42 @@ class Lowering {
     }
   }
 
+  // One level variable and polynomials with coefficients of one limb: the same in fixed point.
+  void prepare_fixed() {
+    const auto varying = std::count_if(degrees_.begin(), degrees_.end(), [](long degree) { return degree > 0; });
+    if (varying != 1 || !whole_ || options_.digits > most_fixed_digits) return;
+    const auto at = std::find_if(degrees_.begin(), degrees_.end(), [](long degree) { return degree > 0; });
+    const auto variable = static_cast<size_t>(at - degrees_.begin());
+    if (variables()[variable].level == nullptr) return;
+    FixedTable t{
+        variable, FixedPoint(static_cast<size_t>(digit_bits() + 24 + 63) / 64, static_cast<size_t>(*at)), {}, {}};
+    auto denominator = FixedForm::of(whole_->shifted().univariate_view());
+    if (!denominator) return;
+    t.denominator = *std::move(denominator);
+    for (const Entry& e : entries_) {
+      std::optional<FixedForm> f = e.form ? FixedForm::of(e.form->shifted().univariate_view()) : FixedForm();
+      if (!f) return;
+      t.numerators.push_back(*std::move(f));
+    }
+    fixed_ = std::move(t);
+  }
+
+  // False if u is too large or too close to a pole; what fixed point leaves undecided goes through balls.
+  bool fixed_cells_at(const Ball& u, unsigned k, std::vector<Cell>& cells) {
+    FixedPoint& point = fixed_->point;
+    if (!point.set(u)) return false;
+    point.evaluate(top_, fixed_->denominator);
+    if (!point.invert(top_)) return false;
+    for (size_t i = 0; i < entries_.size(); ++i) {
+      const Entry& e = entries_[i];
+      if (!e.form) continue;
+      point.evaluate(top_, fixed_->numerators[i]);
+      const bool good = !e.over_denominator || point.quotient(quotient_, top_);
+      if (!good || !cell(e.over_denominator ? quotient_ : top_, cells[i])) cells[i] = hard_cell(e, k);
+    }
+    return true;
+  }
+
   // The same where all variables are rational numbers.
   void cells_at(const std::vector<std::pair<std::string, Rational>>& at, std::optional<unsigned> k,
                 std::vector<Cell>& cells) {
@@ -487,7 +539,12 @@ class Lowering {
     }
     Point point(degrees_, valuation_, several_);
     std::vector<const arb_struct*> values(variables().size());
+    prepare_fixed();
     for (; k < count; ++k) {
+      if (fixed_ && fixed_cells_at(offsets[fixed_->variable][k], k + 1, cells)) {
+        t.levels.push_back(row(cells));
+        continue;
+      }
       for (size_t i = 0; i < values.size(); ++i)
         values[i] = variables()[i].level != nullptr ? offsets[i][k].raw() : constants[i].raw();
       point.set(values, bits);
@@ -646,6 +703,14 @@ class Lowering {
   DecimalRounder rounder_;
   Decimal decimal_;
   Ball scratch_, inverse_, short_;
+  struct FixedTable {
+    size_t variable;
+    FixedPoint point;
+    FixedForm denominator;
+    std::vector<FixedForm> numerators;  // by entry
+  };
+  std::optional<FixedTable> fixed_;
+  Fixed top_, quotient_;
 
   long lowest_ = 0;
   Rational content_;

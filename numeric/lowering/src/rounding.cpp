@@ -66,36 +66,22 @@ void scale(const Rational& x, long shift, Integer& quotient, Integer& remainder,
 
 }  // namespace
 
-// Digits of |x| down to 10^{e - digits + 1}. wrong: +1 if e is too small, -1 if too large.
-bool DecimalRounder::try_exponent(const Ball& x, long e, int& wrong) {
+// Digits of |x| down to 10^{e - digits + 1}. wrong: +1 if e is too small, -1 if too large. load(n) puts n limbs of
+// fraction under one limb of integer part into fraction_, rounded down, and returns q with an error below 2^q, or
+// `exactly` or `useless`.
+constexpr long exactly = -(1L << 40);
+constexpr long useless = 1L << 40;
+
+template <class Load>
+bool DecimalRounder::try_exponent(const Load& load, long e, int& wrong) {
   wrong = 0;
-  const arf_struct* mid = arb_midref(x.raw());
   const long decimals = digits_ - 1 - e;
   // One limb goes with every 19 digits, two stay for the remainder; cutting errors add up to less than 2^-100.
   const size_t limbs = static_cast<size_t>((decimals + 18) / 19) + 2;
-  // |mid| 2^{64 limbs}, rounded down: `limbs` limbs of fraction under one limb of integer part.
-  arf_t scaled;
-  arf_init(scaled);
-  arf_abs(scaled, mid);
-  arf_mul_2exp_si(scaled, scaled, static_cast<slong>(64 * limbs));
-  Integer fixed;
-  const bool inexact = arf_get_fmpz(fixed.v, scaled, ARF_RND_DOWN) != 0;
-  arf_clear(scaled);
   fraction_.assign(limbs + 1, 0);
-  if (COEFF_IS_MPZ(*fixed.v)) {
-    const mpz_srcptr big = COEFF_TO_PTR(*fixed.v);
-    std::copy_n(big->_mp_d, static_cast<size_t>(std::abs(big->_mp_size)), fraction_.begin());
-  } else {
-    fraction_[0] = static_cast<mp_limb_t>(*fixed.v);
-  }
+  long q = load(limbs);
   // |value - fixed| < 2^q in units of the last digit.
-  long q = -(1L << 40);
-  if (!mag_is_zero(arb_radref(x.raw()))) {
-    if (COEFF_IS_MPZ(MAG_EXP(arb_radref(x.raw())))) return false;
-    q = MAG_EXP(arb_radref(x.raw()));
-  }
-  if (inexact) q = std::max(q, -static_cast<long>(64 * limbs)) + 1;
-  if (q > -(1L << 40)) q += static_cast<long>(std::ceil(static_cast<double>(decimals) * log2_of_10)) + 1;
+  if (q > exactly) q += static_cast<long>(std::ceil(static_cast<double>(decimals) * log2_of_10)) + 1;
   if (q > -3) return false;
 
   buffer_.resize(20 + static_cast<size_t>(decimals));
@@ -146,42 +132,12 @@ bool DecimalRounder::try_exponent(const Ball& x, long e, int& wrong) {
   return true;
 }
 
-bool DecimalRounder::round(const Ball& x, Decimal& result) {
-  if (!x.is_finite() || x.contains_zero()) return false;
-  const arf_struct* mid = arb_midref(x.raw());
-  if (COEFF_IS_MPZ(ARF_EXP(mid))) return false;
-  const long size = ARF_EXP(mid);
-  // The lead: 2^{size-1} <= |mid| < 2^size.
-  const bool negative = arf_sgn(mid) < 0;
-  const bool moderate = size <= 60 && size > -4096 && digits_ > size / 3 + 1;
-  if (!moderate) {
-    // Far from 1: through a rational number of the right digits.
-    result.text = rounded_decimal(x, digits_);
-    if (result.text.empty()) return false;
-    const auto mark = result.text.find('e');
-    long e = mark == std::string::npos ? 0 : std::stol(result.text.substr(mark + 1));
-    if (mark == std::string::npos) {
-      const std::string plain = negative ? result.text.substr(1) : result.text;
-      const auto point = plain.find('.');
-      const auto first = plain.find_first_not_of("0.");
-      e = first < std::min(point, plain.size())
-              ? static_cast<long>(std::min(point, plain.size())) - 1 - static_cast<long>(first)
-              : static_cast<long>(point) - static_cast<long>(first);
-    }
-    result.last = e - digits_ + 1;
-    result.exact = false;
-    return true;
-  }
-  arf_t lead;
-  arf_init(lead);
-  arf_abs(lead, mid);
-  arf_mul_2exp_si(lead, lead, -size);
-  const double log2_of_x = std::log2(arf_get_d(lead, ARF_RND_NEAR)) + static_cast<double>(size);
-  arf_clear(lead);
+template <class Load>
+bool DecimalRounder::try_exponents(const Load& load, double log2_of_x, bool negative, Decimal& result) {
   long e = static_cast<long>(std::floor(log2_of_x * log10_of_2));
   for (int attempt = 0; attempt < 3; ++attempt) {
     int wrong = 0;
-    if (try_exponent(x, e, wrong)) {
+    if (try_exponent(load, e, wrong)) {
       result.last = e - digits_ + 1;
       if (static_cast<long>(buffer_.size()) > digits_) {  // 99..9 became 100..0
         buffer_.pop_back();
@@ -195,6 +151,85 @@ bool DecimalRounder::round(const Ball& x, Decimal& result) {
     e += wrong;
   }
   return false;
+}
+
+bool DecimalRounder::round(const Fixed& x, Decimal& result) {
+  const long bits = x.bits();
+  const long n = static_cast<long>(x.fraction());
+  const long size = bits - 64 * n;  // 2^{size-1} <= |x| < 2^size
+  if (x.error >= bits || digits_ <= size / 3 + 1) return false;
+  const auto load = [&](size_t limbs) {
+    const size_t kept = std::min(limbs + 1, x.limbs.size());
+    std::copy_n(x.limbs.end() - static_cast<long>(kept), kept, fraction_.end() - static_cast<long>(kept));
+    return std::max(x.error - 64 * n, -64 * static_cast<long>(limbs)) + 1;
+  };
+  const auto top = static_cast<size_t>((bits - 1) / 64);
+  double lead = static_cast<double>(x.limbs[top]);
+  if (top > 0) lead += static_cast<double>(x.limbs[top - 1]) * 0x1p-64;
+  return try_exponents(load, std::log2(lead) + static_cast<double>(64 * (static_cast<long>(top) - n)), x.negative,
+                       result);
+}
+
+bool DecimalRounder::round(const Ball& x, Decimal& result) {
+  if (!x.is_finite() || x.contains_zero()) return false;
+  const arf_struct* mid = arb_midref(x.raw());
+  if (COEFF_IS_MPZ(ARF_EXP(mid))) return false;
+  const long size = ARF_EXP(mid);
+  // The lead: 2^{size-1} <= |mid| < 2^size.
+  const bool negative = arf_sgn(mid) < 0;
+  const bool moderate = size <= 60 && size > -4096 && digits_ > size / 3 + 1;
+  if (!moderate) return round_slowly(x, result);
+  arf_t lead;
+  arf_init(lead);
+  arf_abs(lead, mid);
+  arf_mul_2exp_si(lead, lead, -size);
+  const double log2_of_x = std::log2(arf_get_d(lead, ARF_RND_NEAR)) + static_cast<double>(size);
+  arf_clear(lead);
+  const auto load = [&](size_t limbs) {
+    arf_t scaled;
+    arf_init(scaled);
+    arf_abs(scaled, mid);
+    arf_mul_2exp_si(scaled, scaled, static_cast<slong>(64 * limbs));
+    Integer fixed;
+    const bool inexact = arf_get_fmpz(fixed.v, scaled, ARF_RND_DOWN) != 0;
+    arf_clear(scaled);
+    if (COEFF_IS_MPZ(*fixed.v)) {
+      const mpz_srcptr big = COEFF_TO_PTR(*fixed.v);
+      std::copy_n(big->_mp_d, static_cast<size_t>(std::abs(big->_mp_size)), fraction_.begin());
+    } else {
+      fraction_[0] = static_cast<mp_limb_t>(*fixed.v);
+    }
+    long q = exactly;
+    if (!mag_is_zero(arb_radref(x.raw()))) {
+      if (COEFF_IS_MPZ(MAG_EXP(arb_radref(x.raw())))) return useless;
+      q = MAG_EXP(arb_radref(x.raw()));
+    }
+    return inexact ? std::max(q, -static_cast<long>(64 * limbs)) + 1 : q;
+  };
+  if (try_exponents(load, log2_of_x, negative, result)) return true;
+  // Two limbs below the last digit do not decide; where the ball knows more, all of it is asked.
+  const double needed = static_cast<double>(digits_) * log2_of_10 + 56;
+  return static_cast<double>(arb_rel_accuracy_bits(x.raw())) > needed && round_slowly(x, result);
+}
+
+// Through an integer of the right number of digits, whatever the size.
+bool DecimalRounder::round_slowly(const Ball& x, Decimal& result) const {
+  result.text = rounded_decimal(x, digits_);
+  if (result.text.empty()) return false;
+  const bool negative = result.text[0] == '-';
+  const auto mark = result.text.find('e');
+  long e = mark == std::string::npos ? 0 : std::stol(result.text.substr(mark + 1));
+  if (mark == std::string::npos) {
+    const std::string plain = negative ? result.text.substr(1) : result.text;
+    const auto point = plain.find('.');
+    const auto first = plain.find_first_not_of("0.");
+    e = first < std::min(point, plain.size())
+            ? static_cast<long>(std::min(point, plain.size())) - 1 - static_cast<long>(first)
+            : static_cast<long>(point) - static_cast<long>(first);
+  }
+  result.last = e - digits_ + 1;
+  result.exact = false;
+  return true;
 }
 
 Decimal rounded(const Rational& x, long digits) {

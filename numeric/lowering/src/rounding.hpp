@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fixed_point.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/symbolic/ball.hpp"
 #include "twoscale/symbolic/rational.hpp"
@@ -26,9 +27,14 @@ class DecimalRounder {
   explicit DecimalRounder(long digits) : digits_(digits) {}
   // False if the ball does not decide every digit.
   bool round(const Ball& x, Decimal& result);
+  bool round(const Fixed& x, Decimal& result);
 
  private:
-  bool try_exponent(const Ball& x, long e, int& wrong);
+  bool round_slowly(const Ball& x, Decimal& result) const;
+  template <class Load>
+  bool try_exponents(const Load& load, double log2_of_x, bool negative, Decimal& result);
+  template <class Load>
+  bool try_exponent(const Load& load, long e, int& wrong);
 
   long digits_;
   std::vector<mp_limb_t> fraction_;

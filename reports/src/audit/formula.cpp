@@ -304,6 +304,10 @@ void Formulas::define(const std::string& text) {
     families_.push_back(name);
     for (const auto& [i, p] : parts)
       values_[name + "_" + index_name(i - power)] = RationalFunction::over_factors(p, f.denominator_content(), rest);
+  } else if (const auto local =
+                 local_definition(expanded(body, counters_), [this](const std::string& t) { return (*this)(t); })) {
+    families_.push_back(name);
+    for (const auto& [i, v] : *local) values_[name + "_" + index_name(i)] = v;
   } else {
     values_[name] = (*this)(body);
   }

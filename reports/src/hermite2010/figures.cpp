@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "page.hpp"
+#include "hermite2010/sections.hpp"
 #include "twoscale/kernels/hermite.hpp"
 #include "twoscale/lowering/refine_hermite.hpp"
 #include "twoscale/reports/curves.hpp"
@@ -89,24 +89,22 @@ Line dots(std::vector<double> values, const char* title, int colour) {
   return l;
 }
 
+// The sections of the figures, one after the other; panels go into the last one.
 class Figures {
  public:
-  Figures(Part& part, Summary& summary) : part_(part), summary_(summary) {}
-
-  std::string panel(const std::string& id, const std::string& caption, Picture p) {
-    ++summary_.pictures;
-    p.height = 400;
-    return fmt::format("<figure id=\"panel-{0}\">\n{1}\n<figcaption><strong>{0}</strong> {2}</figcaption>\n</figure>\n",
-                       id, embedded(part_, id, caption, p), escaped(caption));
+  void open(const std::string& number, const std::string& title, const std::string& text) {
+    sections_.push_back({"figure-" + number, "Figure " + number, "Figure " + number + ": " + title, {}});
+    part().html = text.empty() ? "" : "<p>" + text + "</p>\n";
+    part().numbers = nlohmann::ordered_json::array();
   }
+  void panels(const std::string& html) { part().html += "<div class=\"panels\">\n" + html + "</div>\n"; }
+  Part& part() { return sections_.back().part; }
+  std::vector<Section> sections() { return std::move(sections_); }
 
-  void section(int number, const std::string& title, const std::string& text, const std::string& panels,
-               const std::string& commands) {
-    part_.html += fmt::format(
-        "<section class=\"figure\" id=\"figure-{0}\">\n<h3>Figure {0}: {1}</h3>\n<p>{2}</p>\n<div "
-        "class=\"panels\">\n{3}</div>\n{4}</section>\n",
-        number, escaped(title), text, panels,
-        commands.empty() ? "" : "<details><summary>Commands</summary><pre>" + commands + "</pre></details>\n");
+  std::string panel(const std::string& id, const std::string& caption, Picture p,
+                    const std::vector<std::string>& commands = {}) {
+    p.height = 400;
+    return figure(part(), {id, caption, "", commands}, p);
   }
 
   // Polygon, q_i of (S.1) and b.
@@ -129,14 +127,14 @@ class Figures {
 
   // Polygon with the points of the steps 1 and 2, and the limit.
   std::string steps(const std::string& id, const std::string& caption, const Polygon& polygon,
-                    const std::string& scheme = "hermite-circle") {
+                    const std::vector<std::string>& commands = {}, const std::string& scheme = "hermite-circle") {
     Picture first, last;
     first.lines = {polygon_line(polygon.values, polygon.closed), dots(refined(scheme, polygon, 1), "step 1", 1)};
     if (polygon.values.size() < 14) first.lines.push_back(dots(refined(scheme, polygon, 2), "step 2", 2));
     std::reverse(first.lines.begin() + 1, first.lines.end());
     last.lines = {polygon_line(polygon.values, polygon.closed),
                   line_of(refined(scheme, polygon, limit_levels), polygon.closed, "step 10", 0)};
-    return panel(id + "-steps", caption + ", first steps", first) + panel(id, caption, last);
+    return panel(id + "-steps", caption + ", first steps", first) + panel(id, caption, last, commands);
   }
 
   // The largest | |f - centre| - radius |/radius at step 10.
@@ -147,18 +145,15 @@ class Figures {
     return worst;
   }
 
-  std::string circle_row(const std::string& what, const Polygon& polygon, bool count = true) {
+  std::string circle_row(const std::string& what, const Polygon& polygon) {
     const double worst = deviation(refined("hermite-circle", polygon, limit_levels));
-    if (count) {
-      ++summary_.circles;
-      summary_.largest_deviation = std::max(summary_.largest_deviation, worst);
-    }
-    part_.numbers.push_back(nlohmann::ordered_json{{"circle", what}, {"deviation", worst}});
+    part().exact_run(worst);
+    part().numbers.push_back(nlohmann::ordered_json{{"circle", what}, {"deviation", worst}});
     return fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(what), number_text(worst));
   }
 
-  Part& part_;
-  Summary& summary_;
+ private:
+  std::vector<Section> sections_;
 };
 
 std::string circle_table(Figures& f) {
@@ -195,7 +190,7 @@ std::string exact_circle(Figures& f) {
     worst = std::max(worst, square.sign() < 0 ? -square : square);
   }
   const bool exact = worst < Rational(10).pow(-59);
-  f.part_.numbers.push_back(nlohmann::ordered_json{{"circle_in_60_digits", exact}});
+  f.part().numbers.push_back(nlohmann::ordered_json{{"circle_in_60_digits", exact}});
   return fmt::format(
       "<p>From the exact points (1, 0), (4/5, 3/5), (−7/25, 24/25), (−3/5, −4/5), (7/25, −24/25), with "
       "<code>--digits 60</code>: |x² + y² − 1| {} 10<sup>−59</sup> for all {} points after 4 steps.</p>\n",
@@ -228,13 +223,13 @@ std::string tension_figures(Figures& f) {
     ordered = ordered && da > last;
     last = da;
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", t.w, number_text(da), number_text(db));
-    f.part_.numbers.push_back(nlohmann::ordered_json{{"w", t.w}, {"distance_printed", da}, {"distance_c2", db}});
+    f.part().numbers.push_back(nlohmann::ordered_json{{"w", t.w}, {"distance_printed", da}, {"distance_c2", db}});
     printed.lines.push_back(line_of(a, true, std::string("w = ") + t.w, colour));
     other.lines.push_back(line_of(b, true, std::string("w = ") + t.w, colour++));
   }
-  f.part_.findings.push_back(std::string("Figure 9: on our polygon larger w ") +
-                             (ordered ? "gives" : "does not always give") +
-                             " curves that go farther from it, measured by the largest distance.");
+  f.part().findings.push_back(std::string("Figure 9: on our polygon larger w ") +
+                              (ordered ? "gives" : "does not always give") +
+                              " curves that go farther from it, measured by the largest distance.");
   return f.panel("9-printed", "tension as printed", printed) + f.panel("9-c2", "variant c2", other) +
          "<figure>\n<table class=\"narrow\"><thead><tr><th>w</th><th>distance to polygon, printed</th><th>variant "
          "c2</th></tr></thead><tbody>\n" +
@@ -285,62 +280,60 @@ std::string curvature_figures(Figures& f) {
 
 }  // namespace
 
-Part figure_part(const Options& options, Summary& summary) {
-  Part part;
-  part.numbers = nlohmann::ordered_json::array();
-  Figures f(part, summary);
+std::vector<Section> figure_sections(const PaperOptions& options) {
+  Figures f;
   const auto progress = [&](const char* step) {
     if (options.progress) options.progress(step);
   };
   const auto plot = [](const std::string& kind, const std::string& scheme, const Polygon& polygon) {
-    return command("twoscale plot " + kind + " " + shell_quoted(scheme) + " --levels 10 " +
-                   (polygon.closed ? "" : "--open given ") + "data/" + polygon.name + ".csv -o " + kind + ".svg");
+    return std::vector<std::string>{"twoscale plot " + kind + " " + shell_quoted(scheme) + " --levels 10 " +
+                                    (polygon.closed ? "" : "--open given ") + "data/" + polygon.name + ".csv -o " +
+                                    kind + ".svg"};
   };
-  part.html =
-      "<section id=\"figures\">\n<h2>Figures</h2>\n<p>The paper prints no coordinates: the points are ours, in the "
-      "spirit of each figure.</p>\n</section>\n";
+  const auto curve = [&](const Polygon& polygon) { return plot("curve", "hermite-circle", polygon); };
   progress("figures 1 to 3");
-  f.section(1, "q_i and their barycenter b",
-            "(S.1), (S.2) on a closed and on an open polygon: b moves from inside to outside.",
-            f.centres("1a", "closed", irregular) + f.centres("1b", "open", arc), "");
-  f.section(2, "self-intersecting polylines", "Several turns about b are mapped to [−π, π].",
-            f.centres("2a", "pentagram, stretched", {"", true, {0, 2, -1.3, -1.9, 2.2, 0.7, -2, 0.6, 1.2, -1.7}}) +
-                f.centres("2b", "a loop", loop),
-            "");
-  f.section(3, "points on a circle", "All q_i coincide with b, the centre.",
-            f.centres("3a", "closed", circle_points) + f.centres("3b", "open", half_circle), "");
+  f.open("1", "q_i and their barycenter b",
+         "(S.1), (S.2) on a closed and on an open polygon: b moves from inside to outside.");
+  f.panels(f.centres("1a", "closed", irregular) + f.centres("1b", "open", arc));
+  f.open("2", "self-intersecting polylines", "Several turns about b are mapped to [−π, π].");
+  f.panels(f.centres("2a", "pentagram, stretched", {"", true, {0, 2, -1.3, -1.9, 2.2, 0.7, -2, 0.6, 1.2, -1.7}}) +
+           f.centres("2b", "a loop", loop));
+  f.open("3", "points on a circle", "All q_i coincide with b, the centre.");
+  f.panels(f.centres("3a", "closed", circle_points) + f.centres("3b", "open", half_circle));
   progress("figures 4 and 5");
-  f.section(4, "exact full circles", "From points with any spacing.", f.steps("4", "full circle", circle_points),
-            plot("curve", "hermite-circle", circle_points));
-  part.html += "<section id=\"circles\">\n" + circle_table(f) + exact_circle(f) + "</section>\n";
-  f.section(5, "exact arcs", "From an open polygon.", f.steps("5", "arc of 185°", half_circle),
-            plot("curve", "hermite-circle", half_circle));
+  f.open("4", "exact full circles", "From points with any spacing.");
+  f.panels(f.steps("4", "full circle", circle_points, curve(circle_points)));
+  f.part().html += circle_table(f) + exact_circle(f);
+  f.open("5", "exact arcs", "From an open polygon.");
+  f.panels(f.steps("5", "arc of 185°", half_circle, curve(half_circle)));
   progress("figures 6 to 8");
-  f.section(6, "non-regular closed polylines",
-            "Also one with nearly collinear triples, which Algorithm 1 as printed sends far away.",
-            f.steps("6a", "closed", irregular) + f.steps("6b", "nearly collinear triples", flat),
-            plot("curve", "hermite-circle", irregular) + plot("curve", "hermite-circle", flat));
-  f.section(7, "non-regular open polylines", "", f.steps("7a", "arc", arc) + f.steps("7b", "wave", wave),
-            plot("curve", "hermite-circle", wave));
-  f.section(
-      8, "self-intersecting polylines",
-      "The pentagram has two turns: its points lie on a circle, and the curve runs through it twice. The other "
-      "polygons are not round.",
-      f.steps("8a", "pentagram", pentagram) + f.steps("8b", "figure eight", eight) + f.steps("8c", "a loop", loop),
-      plot("curve", "hermite-circle", pentagram) + plot("curve", "hermite-circle", eight));
+  f.open("6", "non-regular closed polylines",
+         "Also one with nearly collinear triples, which Algorithm 1 as printed sends far away.");
+  f.panels(f.steps("6a", "closed", irregular, curve(irregular)) +
+           f.steps("6b", "nearly collinear triples", flat, curve(flat)));
+  f.open("7", "non-regular open polylines", "");
+  f.panels(f.steps("7a", "arc", arc, curve(arc)) + f.steps("7b", "wave", wave, curve(wave)));
+  f.open("8", "self-intersecting polylines",
+         "The pentagram has two turns: its points lie on a circle, and the curve runs through it twice. The other "
+         "polygons are not round.");
+  f.panels(f.steps("8a", "pentagram", pentagram, curve(pentagram)) +
+           f.steps("8b", "figure eight", eight, curve(eight)) + f.steps("8c", "a loop", loop, curve(loop)));
   progress("figures 9 and 10");
-  f.section(9, "the tension parameter", "The same points and derivatives, w from 1/4 to 3/2.", tension_figures(f),
-            command("twoscale plot sweep hermite-circle --values 1/2,1,3/2 data/bean.csv -o sweep.svg"));
-  f.section(
-      10, "discrete curvature after 10 steps",
-      "The circle through three neighbouring points. Curvature is continuous for every w (proved above), though the "
-      "printed tension is not C² for w ≠ 1.",
-      curvature_figures(f),
-      plot("curvature", "hermite-circle:w=1/2", bean) + plot("comb", "hermite-circle:w=1/2", bean));
+  f.open("9", "the tension parameter", "The same points and derivatives, w from 1/4 to 3/2.");
+  f.panels(tension_figures(f));
+  f.part().html +=
+      hidden_commands({"twoscale plot sweep hermite-circle --values 1/2,1,3/2 data/bean.csv -o sweep.svg"});
+  f.open("10", "discrete curvature after 10 steps",
+         "The circle through three neighbouring points. Curvature is continuous for every w (proved above), though the "
+         "printed tension is not C² for w ≠ 1.");
+  f.panels(curvature_figures(f));
+  std::vector<std::string> commands = plot("curvature", "hermite-circle:w=1/2", bean);
+  commands.push_back(plot("comb", "hermite-circle:w=1/2", bean).front());
+  f.part().html += hidden_commands(commands);
   for (const Polygon* p :
        {&irregular, &arc, &circle_points, &half_circle, &pentagram, &eight, &wave, &bean, &flat, &loop})
-    part.files.emplace_back(std::string("data/") + p->name + ".csv", kernels::to_csv(p->points()));
-  return part;
+    f.part().files.emplace_back(std::string("data/") + p->name + ".csv", kernels::to_csv(p->points()));
+  return f.sections();
 }
 
 }  // namespace twoscale::reports::hermite2010

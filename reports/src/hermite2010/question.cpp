@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "page.hpp"
+#include "hermite2010/sections.hpp"
 #include "twoscale/analysis/hermite_claims.hpp"
 #include "twoscale/kernels/hermite.hpp"
 #include "twoscale/reports/html.hpp"
@@ -94,7 +94,7 @@ std::string experiment(const analysis::TensionRates& rates, nlohmann::ordered_js
 const Polygon five{"five", true, {0, 0, 4, -1, 5, 2, 2, 5, -1, 3}};
 
 // r (its component along the y-axis) and the curvature p x r/|p|^3 of the data along the curve.
-std::string pictures(Part& part, Summary& summary) {
+std::string pictures(Part& part) {
   std::string html;
   const std::tuple<const char*, const char*, const char*> runs[] = {
       {"1", "hermite-circle:w=7/5", "tension as printed, w = 7/5"},
@@ -121,25 +121,29 @@ std::string pictures(Part& part, Summary& summary) {
     r.lines = {second};
     bend.colour = 1;
     k.lines = {bend};
-    html += fmt::format(
-        "<figure>\n{}\n<figcaption>r between two vertices after 8 steps, {}</figcaption>\n</figure>\n<figure>\n{}\n"
-        "<figcaption>curvature |p × r|/|p|³ of the same vertices</figcaption>\n</figure>\n",
-        embedded(part, std::string("question-r-") + id, "second derivative", r), what,
-        embedded(part, std::string("question-curvature-") + id, "curvature", k));
-    summary.pictures += 2;
+    html +=
+        figure(part, {std::string("question-r-") + id, std::string("r between two vertices, ") + what, "", {}, false},
+               r) +
+        figure(part,
+               {std::string("question-curvature-") + id,
+                std::string("curvature |p × r|/|p|³ there, ") + what,
+                "",
+                {},
+                false},
+               k);
   }
   return "<div class=\"panels\">\n" + html + "</div>\n";
 }
 
 }  // namespace
 
-Part question_part(const Options& options, Summary& summary) {
-  (void)options;
-  Part part;
+Section question_section() {
+  Section s{"question", "Open question", "The open question of §4", {}};
+  Part& part = s.part;
   part.numbers = nlohmann::ordered_json::array();
   const analysis::TensionRates& rates = analysis::tension_rates();
   part.html =
-      "<section id=\"question\">\n<h2>The open question of §4</h2>\n<p>Is the limit C² for every w &gt; 0? Below the "
+      "<p>Is the limit C² for every w &gt; 0? Below the "
       "first "
       "pole w* of the data:</p>\n<ul>\n<li>It is C¹ in t, with c′ = w p.</li>\n<li>For w ≠ 1 it is <strong>not "
       "C²</strong>, in t or in any "
@@ -152,12 +156,12 @@ Part question_part(const Options& options, Summary& summary) {
       "a <em>fake</em> interval; the fake intervals of the two halves do not fit, and each misfit adds a multiple of "
       "the "
       "tangent p to r, which curvature does not see. The argument line by line: reports/hermite2010/tension.md.</p>\n" +
-      closed_forms(rates) + experiment(rates, part.numbers) + pictures(part, summary) + "</section>\n";
+      closed_forms(rates) + experiment(rates, part.numbers) + pictures(part);
   part.findings = {
       "<strong>The open question:</strong> for w ≠ 1 the limit of the printed tension is G², but not C². "
       "<a href=\"#question\">Jumps and drifts in closed form</a>; a tension control that is C² stands beside it."};
   part.files.emplace_back("data/five.csv", kernels::to_csv(five.points()));
-  return part;
+  return s;
 }
 
 }  // namespace twoscale::reports::hermite2010

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sections.hpp"
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/reports/html.hpp"
 
 namespace twoscale::reports::scheme_page {
@@ -46,8 +47,7 @@ std::string rule(const Scheme& s, size_t phase) {
 Part definition(const Subject& s) {
   Part part;
   const Laurent a = symbol(s.scheme);
-  part.html = "<section id=\"definition\">\n<h2>Definition</h2>\n";
-  part.html += fmt::format(
+  part.html = fmt::format(
       "<p>Arity {}, support [{}, {}], the point j of level k belongs to (j + p)/{}<sup>k</sup> with p = {}; "
       "{}.</p>\n",
       s.scheme.arity, a.lowest(), a.highest(), s.scheme.arity, escaped(s.scheme.shift.to_string()),
@@ -68,7 +68,7 @@ Part definition(const Subject& s) {
     for (const auto& c : limit->coefficients()) list += (list.empty() ? "" : "<mo>,</mo>") + mathml(c.to_string());
     part.html += "<p>Limit of the masks: <math><mrow>" + list + "</mrow></math></p>\n";
   }
-  part.html += "<pre class=\"shell\">" + command("twoscale show " + s.name) + "</pre>\n</section>\n";
+  part.html += commands_html({"twoscale show " + s.name});
   part.numbers = {{"arity", s.scheme.arity}, {"p", s.scheme.shift.to_string()}, {"support", {a.lowest(), a.highest()}}};
   return part;
 }
@@ -77,7 +77,6 @@ Part parameters(const Subject& s) {
   Part part;
   part.numbers = nlohmann::ordered_json::array();
   if (s.scheme.parameters.empty() && !s.scheme.space) return part;
-  part.html = "<section id=\"parameters\">\n<h2>Parameters</h2>\n";
   if (!s.scheme.parameters.empty()) {
     part.html +=
         "<table><thead><tr><th>name</th><th>what</th><th>domain</th><th>default</th><th></th></tr></thead><tbody>\n";
@@ -93,28 +92,28 @@ Part parameters(const Subject& s) {
     }
     part.html += "</tbody></table>\n";
   }
-  if (s.scheme.space) {
-    part.html += "<p>Made for the space " + space_html(*s.scheme.space) +
-                 ", whose derivation is printed by</p>\n<pre class=\"shell\">" +
-                 command("twoscale derive --space " + shell_quoted(s.scheme.space->to_string()) +
-                         (s.scheme.arity == 2 ? "" : " --arity " + std::to_string(s.scheme.arity))) +
-                 "</pre>\n";
-  }
-  part.html += "</section>\n";
+  if (s.scheme.space) part.html += "<p>Made for the space " + space_html(*s.scheme.space) + ".</p>\n";
+  return part;
+}
+
+Part derivation(const Subject& s) {
+  Part part;
+  if (!s.scheme.space) return part;
+  part.html = to_html(derive(s.scheme)) +
+              commands_html({"twoscale derive " + s.name, "twoscale derive " + s.name + " --format latex"});
   return part;
 }
 
 Part masks(const Subject& s) {
   Part part;
-  part.html = "<section id=\"masks\">\n<h2>Masks</h2>\n";
   lowering::LowerOptions options;
   options.levels = is_stationary(s.scheme) ? 1 : table_levels;
   const kernels::MaskTable t = lowering::lower(s.scheme, s.binding, options);
   std::string values;
   for (const auto& [name, value] : t.parameters) values += (values.empty() ? "" : ", ") + name + " = " + value;
-  part.html += "<p>" + (values.empty() ? "" : "For " + prose(values) + ": ") +
-               fmt::format("{} significant digits, all of them proved; error at most {}. {}.</p>\n", t.digits,
-                           escaped(t.precision_error), prose(t.normalisation));
+  part.html = "<p>" + (values.empty() ? "" : "For " + prose(values) + ": ") +
+              fmt::format("{} significant digits, all of them proved; error at most {}. {}.</p>\n", t.digits,
+                          escaped(t.precision_error), prose(t.normalisation));
   part.html += "<div class=\"wide\"><table class=\"grid\"><thead><tr><th>i</th>";
   const bool rows = !is_stationary(s.scheme);
   if (rows)
@@ -134,9 +133,7 @@ Part masks(const Subject& s) {
   if (rows)
     part.html += fmt::format("<p>From level {} on no coefficient is farther than {} from the limit.</p>\n", t.tail_from,
                              escaped(t.tail_bound));
-  part.html += "<pre class=\"shell\">" +
-               command("twoscale table " + s.name + s.values + fmt::format(" --levels {}", options.levels)) +
-               "</pre>\n</section>\n";
+  part.html += commands_html({"twoscale table " + s.name + s.values + fmt::format(" --levels {}", options.levels)});
   part.numbers = {{"levels", t.levels.size()}, {"tail", t.tail_bound}};
   return part;
 }

@@ -42,4 +42,9 @@ struct SchemeReportSummary {
 SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string& directory,
                                         const SchemeReportOptions& options);
 
+// Its derivation (its mask, without a space) and what is proved, as Markdown; its derivation as LaTeX. Throw
+// Error(bad_input) for a scheme without a symbol, LaTeX also for one without a space.
+std::string scheme_markdown(const Scheme& scheme);
+std::string scheme_latex(const Scheme& scheme);
+
 }  // namespace twoscale::reports

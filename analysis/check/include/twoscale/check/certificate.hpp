@@ -4,10 +4,12 @@
 
 #include "twoscale/check/hermite.hpp"
 #include "twoscale/check/json.hpp"
+#include "twoscale/check/knot_rule.hpp"
 #include "twoscale/check/matrix.hpp"
 #include "twoscale/check/number.hpp"
 #include "twoscale/check/polynomial.hpp"
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,7 +36,8 @@ struct Certificate {
   SmallFraction shift;                 ///< p: f^k_j belongs to (j + p)/m^k
   SmallFraction e;                     ///< (m-1)p in lowest terms
   Mask mask;
-  bool symmetric = false;  ///< a_{lowest+highest-i} = a_i (found, not read)
+  std::optional<KnotRule> knots;  ///< the rule on arbitrary knots whose mask on equal ones this is
+  bool symmetric = false;         ///< a_{lowest+highest-i} = a_i (found, not read)
 
   /// Exactly one variable, and it belongs to the level: exceptions are angles, otherwise polynomial conditions.
   bool single_level() const { return names.size() == 1 && level.size() == 1; }

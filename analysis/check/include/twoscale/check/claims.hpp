@@ -17,12 +17,19 @@ struct RadiusBounds {
   std::vector<Fraction> list;
 };
 
+/// What the claims so far have established of a rule on knots.
+struct KnotFacts {
+  long degree = -1;          ///< of the polynomials reproduced
+  std::vector<long> orders;  ///< of the claims `junction`
+};
+
 /// For claims about a mask.
 struct Context {
   const Certificate& certificate;
   Identities& identities;
   Meter& meter;
   RadiusBounds& radius;
+  KnotFacts& knots;
 };
 
 /// For claims about matrices.
@@ -84,6 +91,12 @@ Finding check_nonstationary(const Context& context, Fields& fields, bool proved)
 Finding check_nonnegative_family(const Context& context, Fields& fields, bool proved);
 Finding check_jsr_lower_family(const Context& context, Fields& fields, bool proved);
 Finding check_jsr_family(const Context& context, Fields& fields, bool proved);
+
+/// The claims about a rule on knots, in documents that have one.
+Finding check_knots_reproduces(const Context& context, Fields& fields, bool proved);
+Finding check_knots_support(const Context& context, Fields& fields, bool proved);
+Finding check_junction(const Context& context, Fields& fields, bool proved);
+Finding check_knots_continuity(const Context& context, Fields& fields, bool proved);
 
 /// For kinds of claims that cannot be refuted.
 void require_proved(const Fields& fields, bool proved);
