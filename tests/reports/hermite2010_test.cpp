@@ -39,7 +39,7 @@ TEST(Hermite2010, ThePageIsWhole) {
     EXPECT_EQ(count(page, "id=\"figure-" + std::to_string(figure) + "\""), 1U) << figure;
   EXPECT_EQ(count(page, "<section"), count(page, "</section>"));
   EXPECT_EQ(page.find("nan"), std::string::npos);
-  EXPECT_EQ(count(page, "NOT valid"), 1U);
+  EXPECT_EQ(count(page, "says <strong class=\"refuted\">refused"), 1U);
   // The commands of the page find their data.
   for (const char* name : {"circle", "half-circle", "pentagram", "bean", "nearly-collinear"})
     EXPECT_TRUE(std::filesystem::exists(directory / "data" / (std::string(name) + ".csv"))) << name;
