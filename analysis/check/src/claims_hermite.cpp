@@ -36,7 +36,7 @@ Polynomial sum(const Polynomial& a, const Polynomial& b, const Integer& factor, 
 }
 
 /// a*b without the terms whose exponent of the first variable is `below` or more.
-Polynomial product(const Polynomial& a, const Polynomial& b, Meter& meter, int below = limits::degree) {
+Polynomial product(const Polynomial& a, const Polynomial& b, Meter& meter, int below) {
   Polynomial result;
   for (const auto& [m, c] : a) {
     for (const auto& [n, e] : b) {
