@@ -9,6 +9,7 @@
 #include "twoscale/kernels/grid_io.hpp"
 #include "twoscale/kernels/nonuniform.hpp"
 #include "twoscale/kernels/write_file.hpp"
+#include "twoscale/lowering/refine_knots.hpp"
 #include "twoscale/lowering/refine_points.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -38,7 +39,6 @@ struct Options {
 
 // Schemes with local parameters: knots and edge parameters come with the points.
 int run_on_knots(const Options& o, const Common& common, const Scheme& s, kernels::PointFormat format) {
-  if (o.digits != 0) bad_input("--digits is not there for schemes on knots", s.id);
   if (o.values.v0 || o.values.t || !o.values.at.empty())
     bad_input("the parameters of this scheme come with the points (columns lambda, d, tag), not from options", s.id);
   if (o.tensor.any()) bad_input("--tensor is not there for schemes on knots", s.id);
@@ -52,7 +52,8 @@ int run_on_knots(const Options& o, const Common& common, const Scheme& s, kernel
   if (!o.parametrization && !o.reparametrize &&
       std::find(in.columns.begin(), in.columns.end(), "d") != in.columns.end())
     knots.parametrization = kernels::Parametrization::given;
-  const kernels::PointSet out = kernels::refine_on_knots(in, rule, knots);
+  const kernels::PointSet out =
+      o.digits == 0 ? kernels::refine_on_knots(in, rule, knots) : lowering::refine_on_knots(in, rule, knots, o.digits);
   const bool closed = knots.boundary == kernels::Boundary::closed;
   kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));
   return 0;

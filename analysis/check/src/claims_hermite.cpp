@@ -471,6 +471,9 @@ Finding check_halves(const HermiteContext& context, Fields& fields, bool proved)
             "identities verified",
             {"definition"}};
   }
+  if (static_cast<long>(f.base.size() - 1) * f.power + 1 > f.degree) {
+    throw Refused("1 and x are not among the functions of the interpolant");
+  }
   const auto check = [&](const Ratio& from, const Ratio& to, const Ratio& low, const Ratio& high, const Ratio& rate,
                          const char* side) {
     const Ratio own = difference(to, from, meter, below), half = difference(high, low, meter, below);
