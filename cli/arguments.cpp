@@ -47,6 +47,16 @@ Option* Option::check(IsMember members) {
   return this;
 }
 
+Option* Option::delimiter(char between) {
+  option_->delimiter(between);
+  return this;
+}
+
+Option* Option::check(Positive) {
+  option_->check(::CLI::PositiveNumber);
+  return this;
+}
+
 Option* Option::check(NonNegative) {
   option_->check(::CLI::NonNegativeNumber);
   return this;
@@ -97,6 +107,8 @@ Option* App::add_option_function(const std::string& names, const std::function<v
 }
 
 template Option* App::add_option_function(const std::string&, const std::function<void(const std::string&)>&,
+                                          const std::string&);
+template Option* App::add_option_function(const std::string&, const std::function<void(const double&)>&,
                                           const std::string&);
 template Option* App::add_option_function(const std::string&, const std::function<void(const int&)>&,
                                           const std::string&);

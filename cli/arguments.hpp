@@ -25,6 +25,8 @@ struct IsMember {
 };
 struct NonNegative {};
 inline constexpr NonNegative NonNegativeNumber;
+struct Positive {};
+inline constexpr Positive PositiveNumber;
 
 class App;
 
@@ -39,9 +41,11 @@ class Option {
   Option* excludes(Option* other);
   Option* take_all();
   Option* allow_extra_args(bool allow);
+  Option* delimiter(char between);  // of the values of a list
   Option* check(Range range);
   Option* check(IsMember members);
   Option* check(NonNegative);
+  Option* check(Positive);
 
  private:
   ::CLI::Option* option_;
@@ -60,7 +64,7 @@ class App {
   // when the option is absent.
   template <class T>
   Option* add_option(const std::string& names, T& value, const std::string& help);
-  // T: std::string, int.
+  // T: std::string, int, double.
   template <class T>
   Option* add_option_function(const std::string& names, const std::function<void(const T&)>& set,
                               const std::string& help);

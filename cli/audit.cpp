@@ -10,6 +10,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "session.hpp"
 #include "twoscale/kernels/write_file.hpp"
@@ -42,13 +43,8 @@ class Journal {
   }
   void add(const std::string& key, const audit::Result& r) {
     if (path_.empty()) return;
-    Json j;
-    j["version"] = TWOSCALE_VERSION;
-    j["item"] = key;
-    j["verdict"] = to_string(r.verdict);
-    j["evidence"] = r.evidence;
-    j["correction"] = r.correction;
-    j["proof"] = r.proof;
+    Json j{{"version", TWOSCALE_VERSION}, {"item", key}};
+    j.update(audit::result_json(r));
     out_ << j.dump() << "\n" << std::flush;
     if (!out_) throw Error(Error::Kind::io, "cannot write", path_);
   }
@@ -56,13 +52,10 @@ class Journal {
  private:
   void read(const std::string& line) {
     const Json j = Json::parse(line, nullptr, false);
-    if (!j.is_object()) return;
-    for (const char* key : {"version", "item", "verdict", "evidence", "correction", "proof"})
-      if (!j.contains(key) || !j[key].is_string()) return;
-    if (j["version"] != TWOSCALE_VERSION) return;
-    for (const auto v :
-         {audit::Verdict::holds, audit::Verdict::fails, audit::Verdict::corrected, audit::Verdict::undecided})
-      if (to_string(v) == j["verdict"]) results_[j["item"]] = {v, j["evidence"], j["correction"], j["proof"]};
+    if (!j.is_object() || !j.contains("item") || !j["item"].is_string() ||
+        j.value("version", Json()) != TWOSCALE_VERSION)
+      return;
+    if (const auto result = audit::result_from(j)) results_[j["item"]] = *result;
   }
 
   std::string path_;
@@ -101,16 +94,28 @@ void add_audit_command(CLI::App& app, Session& session) {
       const std::vector<audit::Item> list = items(*subject);
       Journal journal(*resume);
       const bool progress = !common.quiet && isatty(STDERR_FILENO) != 0;
-      std::vector<audit::Audited> done;
-      for (const audit::Item& item : list) {
-        if (progress)
-          std::cerr << "\r\033[K" << done.size() + 1 << "/" << list.size() << " " << item.paper << " " << item.equation
-                    << std::flush;
-        const std::string key = audit::item_key(item);
-        const audit::Result* known = journal.find(key);
-        done.push_back({item, known != nullptr ? *known : audit::audit(item)});
-        if (known == nullptr) journal.add(key, done.back().result);
+      std::vector<audit::Audited> done(list.size());
+      std::vector<audit::Item> open;
+      std::vector<std::size_t> places;  // of the open items in the list
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        done[i].item = list[i];
+        if (const audit::Result* known = journal.find(audit::item_key(list[i])); known != nullptr) {
+          done[i].result = *known;
+        } else {
+          open.push_back(list[i]);
+          places.push_back(i);
+        }
       }
+      std::size_t decided = list.size() - open.size();
+      const int processes =
+          common.threads > 0 ? common.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+      audit::run(open, processes, [&](std::size_t i, const audit::Result& result) {
+        journal.add(audit::item_key(open[i]), result);
+        done[places[i]].result = result;
+        if (progress)
+          std::cerr << "\r\033[K" << ++decided << "/" << list.size() << " " << open[i].paper << " " << open[i].equation
+                    << std::flush;
+      });
       if (progress) std::cerr << "\r\033[K" << std::flush;
       deliver(common, common.format == "json" ? audit::to_json(done)
                       : common.format == "md" ? audit::to_markdown(done)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // twoscale derive SCHEME | --space SPACE [--arity M]: sigma, the linear system, omega, zeta, singular v^0.
-#include "derivation.hpp"
 #include "session.hpp"
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -22,23 +22,23 @@ void add_derive_command(CLI::App& app, Session& session) {
   c->callback([&session, o] {
     session.action = [&session, o] {
       if (o->scheme.empty() == o->space.empty()) bad_input("derive: give either a scheme or --space");
-      Derivation d;
+      reports::Derivation d;
       if (o->space.empty()) {
         const Scheme scheme = make_scheme(o->scheme);
         if (!scheme.space) bad_input("derive: the scheme is not made from a space", scheme.id);
-        d = derive(scheme);
+        d = reports::derive(scheme);
       } else {
         const Space space = Space::parse(o->space);
         SchemeName name{has_interpolating_scheme(space, o->arity) ? "interpolating" : "exponential-bspline",
                         {{"space", space.to_string()}}};
         if (o->arity != 2) name.keys["arity"] = std::to_string(o->arity);
-        d = derive(space, o->arity, name.to_string());
+        d = reports::derive(space, o->arity, name.to_string());
       }
       const std::string& f = session.common.format;
-      deliver(session.common, f == "json"    ? to_json(d).dump(1)
-                              : f == "latex" ? to_latex(d)
-                              : f == "md"    ? to_markdown(d)
-                                             : to_text(d));
+      deliver(session.common, f == "json"    ? reports::to_json(d).dump(1)
+                              : f == "latex" ? reports::to_latex(d)
+                              : f == "md"    ? reports::to_markdown(d)
+                                             : reports::to_text(d));
       return 0;
     };
   });

@@ -18,4 +18,9 @@ std::optional<ExactReal> tension(const Values& values);
 int refine_hermite_file(const Scheme& scheme, const Values& values, const std::string& input,
                         const lowering::HermiteOptions& options, kernels::PointFormat format, const Common& common);
 
+// `regularity` for these schemes: C^l in the parameter and G^2, as far as the claims of analysis/hermite_claims.hpp
+// decide it. `at`: w=VALUE or nothing. Exit status 3 if nothing is known.
+int regularity_of_vertices(Scheme scheme, const std::vector<std::string>& at, const std::string& certificate,
+                           const Session& session);
+
 }  // namespace twoscale::cli

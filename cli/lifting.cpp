@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <sstream>
 
-#include "derivation.hpp"
 #include "session.hpp"
 #include "twoscale/analysis/real_algebraic.hpp"
 #include "twoscale/kernels/number_text.hpp"
-#include "twoscale/lowering/lower.hpp"
+#include "twoscale/lowering/filter_table.hpp"
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
@@ -250,10 +250,10 @@ Json exact_json(const Task& t) {
   j["delay"] = l.factorization.delay;
   j["filters"] = {
       {"rule", "x_i = sum_j a_{i-2j} s_j + b_{i-2j} d_j, s_j = sum_i L_{i-2j} x_i, d_j = sum_i H_{i-2j} x_i"},
-      {"a", laurent_json(l.bank.synthesis_low)},
-      {"b", laurent_json(l.bank.synthesis_high)},
-      {"L", laurent_json(l.bank.analysis_low)},
-      {"H", laurent_json(l.bank.analysis_high)}};
+      {"a", reports::laurent_json(l.bank.synthesis_low)},
+      {"b", reports::laurent_json(l.bank.synthesis_high)},
+      {"L", reports::laurent_json(l.bank.analysis_low)},
+      {"H", reports::laurent_json(l.bank.analysis_high)}};
   j["vanishing_moments"] = {{"b", vanishing_moments(l.bank.synthesis_high)},
                             {"H", vanishing_moments(l.bank.analysis_high)}};
   j["reconstruction"] = "proved";
@@ -277,20 +277,16 @@ struct Tables {
   std::vector<std::pair<std::string, std::string>> parameters;
   std::vector<Rows> steps;
   Rows norm;
-  std::vector<Rows> filters;  // dec_lo, dec_hi, rec_lo, rec_hi, index origin 0, of equal length
+  std::vector<kernels::FilterRow> filters;  // levels, then the limit
 };
 
 constexpr std::array<const char*, 4> layout_names = {"dec_lo", "dec_hi", "rec_lo", "rec_hi"};
 
 Tables tables(const Task& t, const Options& o) {
-  // sqrt(2) is a constant like any other; its name is none that a scheme can have.
-  Scheme s = t.scheme;
-  const std::string root = "sqrt(2)";
-  s.parameters.push_back({root, Parameter::Scope::constant, std::nullopt});
-  lowering::Binding b = lowering::bind(t.scheme, o.values.v0, o.values.t, o.values.named());
+  const Scheme& s = t.scheme;
+  const lowering::Binding b = lowering::bind(s, o.values.v0, o.values.t, o.values.named());
   Tables r;
   r.parameters = b.description;
-  b.constants.emplace(root, ExactReal(2).pow(Rational(1, 2)));
   lowering::LowerOptions options;
   options.levels = o.levels;
   options.digits = o.doubles ? 0 : o.digits;
@@ -310,22 +306,7 @@ Tables tables(const Task& t, const Options& o) {
   };
   for (const LiftingStep& step : t.lifting.factorization.steps) r.steps.push_back(rows(step.filter, true));
   r.norm = rows(Laurent(0, {t.lifting.factorization.norm}), false);
-  const OrthonormalLayout layout = orthonormal_layout(t.lifting.bank);
-  const RationalFunction up = RationalFunction::variable(root);
-  const RationalFunction down = up * RationalFunction(Rational(1, 2));
-  const std::array<Laurent, 4> scaled = {up * layout.dec_lo, down * layout.dec_hi, down * layout.rec_lo,
-                                         up * layout.rec_hi};
-  for (const Laurent& a : scaled) {
-    Rows x = rows(a, false);
-    const auto pad = [&](std::vector<std::string>& c) {
-      c.insert(c.begin(), static_cast<size_t>(x.lowest), "0");
-      c.resize(static_cast<size_t>(layout.length), "0");
-    };
-    for (auto& level : x.levels) pad(level);
-    pad(x.limit);
-    x.lowest = 0;
-    r.filters.push_back(std::move(x));
-  }
+  r.filters = lowering::lower_filters(s, t.lifting.bank, b, options).filters;
   return r;
 }
 
@@ -335,24 +316,27 @@ std::string joined(const std::vector<std::string>& list) {
   return s;
 }
 
-// Calls f(name of the level, row of x) for the levels and the limit.
+// Calls f(name of the level, row of x, the filters) for the levels and the limit.
 template <class F>
 void each_level(const Tables& t, F f) {
   for (size_t k = 0; k < t.norm.levels.size(); ++k)
-    f(std::to_string(k), [k](const Rows& r) -> const std::vector<std::string>& { return r.levels[k]; });
-  f("limit", [](const Rows& r) -> const std::vector<std::string>& { return r.limit; });
+    f(
+        std::to_string(k), [k](const Rows& r) -> const std::vector<std::string>& { return r.levels[k]; },
+        t.filters[k].text);
+  f(
+      "limit", [](const Rows& r) -> const std::vector<std::string>& { return r.limit; }, t.filters.back().text);
 }
 
 std::string tables_text(const Task& task, const Tables& t) {
   std::ostringstream out;
   out << "\nlevel by level, every digit proved\n";
-  each_level(t, [&](const std::string& k, const auto& row) {
+  each_level(t, [&](const std::string& k, const auto& row, const auto& filters) {
     out << "k = " << k << "\n";
     for (size_t i = 0; i < t.steps.size(); ++i)
       out << "  " << i + 1 << " " << (task.lifting.factorization.steps[i].predict ? "predict  " : "update   ")
           << "h from " << t.steps[i].lowest << ": " << joined(row(t.steps[i])) << "\n";
     out << "  K          " << joined(row(t.norm)) << "\n";
-    for (size_t i = 0; i < 4; ++i) out << "  " << layout_names[i] << "     " << joined(row(t.filters[i])) << "\n";
+    for (size_t i = 0; i < 4; ++i) out << "  " << layout_names[i] << "     " << joined(filters[i]) << "\n";
   });
   return out.str();
 }
@@ -362,7 +346,7 @@ void add_tables(Json& j, const Task& task, const Tables& t) {
   for (const auto& [name, value] : t.parameters) parameters[name] = value;
   j["parameters"] = parameters;
   Json levels = Json::array();
-  each_level(t, [&](const std::string& k, const auto& row) {
+  each_level(t, [&](const std::string& k, const auto& row, const auto& filters) {
     Json level;
     if (k == "limit")
       level["k"] = k;
@@ -375,7 +359,7 @@ void add_tables(Json& j, const Task& task, const Tables& t) {
                        {"coefficients", row(t.steps[i])}});
     level["steps"] = steps;
     level["norm"] = row(t.norm)[0];
-    for (size_t i = 0; i < 4; ++i) level[layout_names[i]] = row(t.filters[i]);
+    for (size_t i = 0; i < 4; ++i) level[layout_names[i]] = filters[i];
     levels.push_back(level);
   });
   j["limit"] = levels.back();
@@ -409,7 +393,7 @@ std::string python_text(const Task& task, const Tables& t) {
          "bank.\"\"\"\n\n";
   out << "# (kind, h, [c_h, c_{h+1}, ...]): predict odd[j] += sum c_h even[j+h], update even[j] += sum c_h odd[j+h].\n";
   out << "STEPS = [\n";
-  each_level(t, [&](const std::string&, const auto& row) {
+  each_level(t, [&](const std::string&, const auto& row, const auto&) {
     out << "    [";
     for (size_t i = 0; i < t.steps.size(); ++i)
       out << (i == 0 ? "" : ",\n     ") << "(\"" << (task.lifting.factorization.steps[i].predict ? "predict" : "update")
@@ -418,16 +402,16 @@ std::string python_text(const Task& task, const Tables& t) {
   });
   out << "]\n# s[j] = even[j+DELAY]/NORM, d[j] = NORM*odd[j-DELAY].\nNORM = [";
   bool first = true;
-  each_level(t, [&](const std::string&, const auto& row) {
+  each_level(t, [&](const std::string&, const auto& row, const auto&) {
     out << (first ? "" : ", ") << row(t.norm)[0];
     first = false;
   });
   out << "]\nDELAY = " << task.lifting.factorization.delay << "\n";
   out << "# dec_lo, dec_hi, rec_lo, rec_hi: low-pass filters of sum sqrt(2) where constants are reproduced.\nFILTERS = "
          "[\n";
-  each_level(t, [&](const std::string&, const auto& row) {
+  each_level(t, [&](const std::string&, const auto&, const auto& filters) {
     out << "    [";
-    for (size_t i = 0; i < 4; ++i) out << (i == 0 ? "" : ",\n     ") << "[" << joined(row(t.filters[i])) << "]";
+    for (size_t i = 0; i < 4; ++i) out << (i == 0 ? "" : ",\n     ") << "[" << joined(filters[i]) << "]";
     out << "],\n";
   });
   out << "]\n\n\n"

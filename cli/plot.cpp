@@ -191,37 +191,9 @@ Picture comb(const Scheme& s, const Options& o) {
   const Data d = read_data(s, o);
   coordinates(d.points, true, o);
   const Refined r = refine(s, d, o);
-  const std::vector<double> k = reports::curvature(r.values, d.closed());
-  double greatest = 0, low[2] = {r.values[0], r.values[1]}, high[2] = {r.values[0], r.values[1]};
-  for (double x : k)
-    if (std::isfinite(x)) greatest = std::max(greatest, std::abs(x));
-  for (std::size_t i = 0; i < r.values.size(); ++i) {
-    low[i % 2] = std::min(low[i % 2], r.values[i]);
-    high[i % 2] = std::max(high[i % 2], r.values[i]);
-  }
-  // The longest tooth is a quarter of the curve's size.
-  const double scale = greatest > 0 ? 0.25 * std::hypot(high[0] - low[0], high[1] - low[1]) / greatest : 0;
-  Line teeth, tips;
-  teeth.style = Line::Style::segments;
-  teeth.colour = tips.colour = 1;
-  teeth.title = "curvature";
-  const std::size_t n = r.size();
-  const std::size_t stride = std::max<std::size_t>(1, n / 160);
-  for (std::size_t j = 0; j < n; j += stride) {
-    if (!std::isfinite(k[j])) continue;
-    const std::size_t a = (j + n - 1) % n, b = (j + 1) % n;
-    const double tx = r.values[2 * b] - r.values[2 * a], ty = r.values[2 * b + 1] - r.values[2 * a + 1];
-    const double length = std::hypot(tx, ty);
-    if (!(length > 0)) continue;
-    const double x = r.values[2 * j], y = r.values[2 * j + 1];
-    const double tip[2] = {x + scale * k[j] * ty / length, y - scale * k[j] * tx / length};
-    teeth.values.insert(teeth.values.end(), {x, y, tip[0], tip[1]});
-    tips.values.insert(tips.values.end(), {tip[0], tip[1]});
-  }
-  tips.closed = d.closed();
   Picture p;
   p.title = s.id;
-  if (!teeth.values.empty()) p.lines = {teeth, tips};
+  p.lines = reports::curvature_comb(r.values, d.closed());
   p.lines.push_back(polygon(s, d));
   p.lines.push_back(curve_line(r, d, "limit curve", 0));
   return p;

@@ -9,13 +9,14 @@
 #include <sstream>
 #include <thread>
 
-#include "derivation.hpp"
+#include "hermite.hpp"
 #include "session.hpp"
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/parameter_range.hpp"
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/kernels/write_file.hpp"
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
@@ -163,7 +164,7 @@ std::string regularity_json(const Scheme& s, const Regularity& r, const std::str
   }
   if (r.level_dependent) {
     const Laurent a = *limit_symbol(s);
-    j["limit_scheme"] = laurent_json(a);
+    j["limit_scheme"] = reports::laurent_json(a);
     j["applies_to_all_levels"] = r.transferred;
     j["generated_space"] = r.generated.empty() ? Json(nullptr) : Json(r.generated);
     j["excluded_v0"] = r.excluded;
@@ -369,6 +370,8 @@ int run_matrices(const Session& session, const Options& o) {
 }
 
 int run_scheme(const Session& session, const Options& o) {
+  if (Scheme given = make_scheme(o.scheme); given.block > 1)
+    return regularity_of_vertices(std::move(given), o.at, o.certificate, session);
   const Scheme scheme = with_default_values(with_constants(make_scheme(o.scheme), o.at));
   analysis::RegularityOptions options;
   options.jsr = search_options(session, o);
@@ -481,6 +484,8 @@ std::string over_text(const Scheme& s, const analysis::ParameterRange& r, const 
 
 int run_over(const Session& session, const Options& o) {
   const Over over = parse_over(o.over);
+  if (make_scheme(o.scheme).block > 1)
+    bad_input("--over is for masks; the claims continuity and curvature of prove hold for all values of w", o.scheme);
   const Scheme scheme = along(with_constants(make_scheme(o.scheme), o.at), over);
   analysis::ParameterOptions options;
   options.regularity.jsr = search_options(session, o);

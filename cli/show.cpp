@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "derivation.hpp"
 #include "session.hpp"
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 
 namespace twoscale::cli {
@@ -203,7 +203,7 @@ std::string show_json(const Scheme& s) {
   if (has_symbol(s)) {
     const Laurent a = symbol(s);
     j["support"] = {a.lowest(), a.highest()};
-    j["symbol"] = laurent_json(a);
+    j["symbol"] = reports::laurent_json(a);
   }
   Json phases = Json::array();
   for (const auto& p : s.phases) {
@@ -225,8 +225,8 @@ std::string show_json(const Scheme& s) {
   j["phases"] = phases;
   if (!has_symbol(s)) return j.dump(1);
   const auto [n, rest] = smoothing_factors(symbol(s), s.arity);
-  j["factorisation"] = Json::object({{"smoothing_factors", n}, {"remainder", laurent_json(rest)}});
-  if (const auto limit = limit_symbol(s)) j["limit"] = laurent_json(*limit);
+  j["factorisation"] = Json::object({{"smoothing_factors", n}, {"remainder", reports::laurent_json(rest)}});
+  if (const auto limit = limit_symbol(s)) j["limit"] = reports::laurent_json(*limit);
   return j.dump(1);
 }
 

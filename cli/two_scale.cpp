@@ -5,10 +5,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "derivation.hpp"
 #include "session.hpp"
 #include "twoscale/kernels/number_text.hpp"
 #include "twoscale/lowering/bspline_values.hpp"
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/bspline_function.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -99,7 +99,7 @@ int run(const Options& o, const Common& common) {
     j["space"] = space.items();
     j["relation"] = relation;
     j["verdict"] = residual.is_zero() ? "proved" : "refuted";
-    j["residual"] = laurent_json(residual);
+    j["residual"] = reports::laurent_json(residual);
     if (factor) j["factor"] = factor->to_string();
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Measured& x : measured)

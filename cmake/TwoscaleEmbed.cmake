@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Data files of the rooms: read into the library, so that it needs no files at run time.
 
-# twoscale_embed_texts(TARGET DIRECTORY HEADER NAMESPACE FUNCTION): DIRECTORY/*.toml become pairs of name and text,
+# twoscale_embed_texts(TARGET PATTERN HEADER NAMESPACE FUNCTION): the files of a pattern become pairs of name (without
+# the ending) and text,
 #   const std::vector<std::pair<std::string, std::string>>& NAMESPACE::FUNCTION(), declared in HEADER.
-function(twoscale_embed_texts target directory header namespace function)
-  file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${directory}/*.toml")
+function(twoscale_embed_texts target pattern header namespace function)
+  file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${pattern}")
   set(script "${PROJECT_SOURCE_DIR}/cmake/embed_texts.cmake")
   set(generated "${PROJECT_BINARY_DIR}/${function}.cpp")
   add_custom_command(OUTPUT "${generated}"
@@ -16,7 +17,7 @@ endfunction()
 
 # twoscale_embed_schemes(TARGET DIRECTORY): the scheme files of the catalogue, which are installed too.
 function(twoscale_embed_schemes target directory)
-  twoscale_embed_texts(${target} ${directory} twoscale/symbolic/scheme_file.hpp twoscale embedded_scheme_files)
+  twoscale_embed_texts(${target} "${directory}/*.toml" twoscale/symbolic/scheme_file.hpp twoscale embedded_scheme_files)
   file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${directory}/*.toml")
   install(FILES ${files} DESTINATION "${CMAKE_INSTALL_DATADIR}/twoscale/schemes")
 endfunction()

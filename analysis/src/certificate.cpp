@@ -65,7 +65,7 @@ std::string certificate_text(const std::string& label, const std::vector<Rationa
 }
 
 std::string certificate_text(const Scheme& scheme, const MaskData& mask,
-                             const std::vector<nlohmann::ordered_json>& claims) {
+                             const std::vector<nlohmann::ordered_json>& claims, const nlohmann::ordered_json& knots) {
   using Json = nlohmann::ordered_json;
   Json doc = opening(scheme.id);
   doc["arity"] = scheme.arity;
@@ -85,11 +85,19 @@ std::string certificate_text(const Scheme& scheme, const MaskData& mask,
   for (const auto& n : mask.numerators) numerators.push_back(n.to_string());
   doc["mask"] = Json::object(
       {{"lowest", mask.lowest}, {"numerators", numerators}, {"denominator", mask.denominator.to_string()}});
+  if (!knots.is_null()) doc["knots"] = knots;
   return sealed(std::move(doc), claims);
 }
 
 std::string certificate_text(const std::string& label, const std::vector<nlohmann::ordered_json>& claims) {
   return sealed(opening(label), claims);
+}
+
+std::string certificate_text(const std::string& label, const nlohmann::ordered_json& hermite,
+                             const std::vector<nlohmann::ordered_json>& claims) {
+  nlohmann::ordered_json doc = opening(label);
+  doc["hermite"] = hermite;
+  return sealed(std::move(doc), claims);
 }
 
 }  // namespace twoscale::analysis

@@ -9,6 +9,7 @@
 #include "domain_sign.hpp"
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/exponential_sums.hpp"
+#include "twoscale/analysis/hermite_claims.hpp"
 #include "twoscale/analysis/knots.hpp"
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -846,6 +847,7 @@ Prepared prepare(const Scheme& scheme, const std::vector<Claim>& claims) {
 
 std::vector<Claim> default_claims(const Scheme& scheme) {
   if (!scheme.claims.empty()) return scheme.claims;
+  if (scheme.block > 1) return default_claims_on_vertices(scheme);
   std::vector<Claim> claims;
   const Laurent a = symbol(scheme);
   if (a.centre_of_symmetry()) claims.push_back({"symmetric", "", ""});
@@ -882,6 +884,7 @@ Space reproduced_part(const Scheme& scheme, const Space& within) {
 
 Proof prove(const Scheme& scheme, const std::vector<Claim>& claims) {
   if (!scheme.kernel.empty()) return prove_on_knots(scheme, claims);
+  if (scheme.block > 1) return prove_on_vertices(scheme, claims);
   for (const auto& c : claims) {
     const auto& names = claim_names();
     if (std::find(names.begin(), names.end(), c.name) == names.end())

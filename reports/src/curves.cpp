@@ -142,4 +142,36 @@ std::vector<double> curvature(std::span<const double> q, bool closed) {
   return k;
 }
 
+std::vector<Line> curvature_comb(std::span<const double> q, bool closed) {
+  const std::vector<double> k = curvature(q, closed);
+  double greatest = 0, low[2] = {q[0], q[1]}, high[2] = {q[0], q[1]};
+  for (double x : k)
+    if (std::isfinite(x)) greatest = std::max(greatest, std::abs(x));
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    low[i % 2] = std::min(low[i % 2], q[i]);
+    high[i % 2] = std::max(high[i % 2], q[i]);
+  }
+  const double scale = greatest > 0 ? 0.25 * std::hypot(high[0] - low[0], high[1] - low[1]) / greatest : 0;
+  Line teeth, tips;
+  teeth.style = Line::Style::segments;
+  teeth.colour = tips.colour = 1;
+  teeth.title = "curvature";
+  const std::size_t n = k.size();
+  const std::size_t stride = std::max<std::size_t>(1, n / 160);
+  for (std::size_t j = 0; j < n; j += stride) {
+    if (!std::isfinite(k[j])) continue;
+    const std::size_t a = (j + n - 1) % n, b = (j + 1) % n;
+    const double tx = q[2 * b] - q[2 * a], ty = q[2 * b + 1] - q[2 * a + 1];
+    const double length = std::hypot(tx, ty);
+    if (!(length > 0)) continue;
+    const double x = q[2 * j], y = q[2 * j + 1];
+    const double tip[2] = {x + scale * k[j] * ty / length, y - scale * k[j] * tx / length};
+    teeth.values.insert(teeth.values.end(), {x, y, tip[0], tip[1]});
+    tips.values.insert(tips.values.end(), {tip[0], tip[1]});
+  }
+  tips.closed = closed;
+  if (teeth.values.empty()) return {};
+  return {teeth, tips};
+}
+
 }  // namespace twoscale::reports

@@ -3,71 +3,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 
+#include "assets.hpp"
 #include "twoscale/reports/html.hpp"
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/expression.hpp"
 
 namespace twoscale::reports {
 
 namespace {
 
-const char* const style = R"(
-:root { color-scheme: light; }
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1.5rem 1.25rem 4rem; max-width: 74rem; background: #fff; color: #1f2937;
-  font: 16px/1.55 system-ui, "Segoe UI", "Liberation Sans", "DejaVu Sans", sans-serif; }
-h1 { font-size: 1.8rem; line-height: 1.2; margin: .5rem 0 .25rem; }
-h2 { font-size: 1.35rem; margin: 2.75rem 0 .75rem; padding-bottom: .3rem; border-bottom: 2px solid #0b5394; }
-h3 { font-size: 1.1rem; margin: 2rem 0 .5rem; }
-p, ul { max-width: 60rem; margin: .6rem 0; }
-a { color: #0b5394; }
-nav ul { display: flex; flex-wrap: wrap; gap: .25rem 1.25rem; padding: 0; list-style: none; }
-code, pre { font: .85rem/1.5 ui-monospace, "Liberation Mono", "DejaVu Sans Mono", monospace; }
-pre { background: #f3f4f6; border-radius: 4px; padding: .6rem .8rem; overflow-x: auto; margin: .5rem 0; }
-.prompt { color: #6b7280; user-select: none; }
-math { font-size: 1.05em; }
-article { border: 1px solid #e5e7eb; border-radius: 6px; padding: 0 1.25rem 1rem; margin: 1.25rem 0; }
-article h3 { margin-top: 1rem; }
-.split { display: grid; grid-template-columns: minmax(0, 1.15fr) minmax(0, 1fr); gap: 1.5rem; align-items: center; }
-.findings { background: #f0f6fc; border-left: 4px solid #0b5394; padding: .4rem 1.2rem; margin: 1rem 0; }
-.findings li { margin: .4rem 0; }
-table { border-collapse: collapse; font-size: .88rem; width: 100%; margin: .6rem 0; }
-table.narrow { width: auto; }
-th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid #e5e7eb; vertical-align: middle; }
-th { font-weight: 600; color: #4b5563; }
-.grid td, .grid th { text-align: center; white-space: nowrap; }
-.grid td:first-child, .grid th:first-child { text-align: left; white-space: normal; }
-.proved { color: #166534; font-weight: 600; }
-.refuted { color: #b91c1c; font-weight: 600; }
-.undecided { color: #92400e; font-weight: 600; }
-.subject, .small { color: #6b7280; font-size: .85rem; }
-.wide { overflow-x: auto; }
-figure { margin: 0; }
-figure img { display: block; max-width: 100%; height: auto; margin: 0 auto; }
-figcaption { font-size: .9rem; margin-top: .3rem; }
-.panels { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1.75rem 1.5rem; }
-.panels > figure { max-width: 36rem; width: 100%; }
-.panels > figure:only-child { max-width: none; display: grid; gap: 1.5rem;
-  grid-template-columns: minmax(0, 1fr) minmax(0, 1.2fr); align-items: center; }
-details { font-size: .9rem; margin: .4rem 0; }
-summary { cursor: pointer; color: #0b5394; }
-footer { margin-top: 3rem; border-top: 1px solid #e5e7eb; padding-top: .75rem; color: #6b7280; font-size: .85rem; }
-@media (max-width: 48rem) { .split, .panels > figure:only-child { grid-template-columns: minmax(0, 1fr); } }
-@media print {
-  body { max-width: none; font-size: 10pt; padding: 0; }
-  nav, details:not([open]) { display: none; }
-  figure, article table, tr { break-inside: avoid; }
-  h2, h3 { break-after: avoid; }
-  .panels { grid-template-columns: 1fr 1fr; }
-  a { color: inherit; text-decoration: none; }
+template <class P>
+std::string figure_of(Part& part, const Drawing& d, const P& picture) {
+  const std::string svg = render(picture, ImageFormat::svg);
+  const std::string file = "figures/" + d.id + ".svg";
+  part.files.emplace_back(file, svg);
+  part.figures.push_back({d.id, d.title, file, d.commands.empty() ? "" : d.commands[0], d.numbered});
+  const std::string title = escaped(d.title);
+  return fmt::format(
+      "<figure id=\"panel-{}\">\n<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>\n<figcaption>"
+      "{}{}{}</figcaption>\n</figure>\n",
+      d.id, data_uri(svg), picture.width, picture.height, title,
+      d.numbered ? "<strong>" + d.id + "</strong> " + title : "<strong>" + title + "</strong>", d.detail,
+      hidden_commands(d.commands));
 }
-)";
 
 }  // namespace
 
-std::string page_style() { return style; }
+const std::string& asset(const std::string& name) {
+  for (const auto& [known, text] : embedded_assets())
+    if (known == name) return text;
+  throw std::logic_error("no such asset: " + name);
+}
+
+std::string script(const std::string& text) { return "<script>\n//<![CDATA[\n" + text + "//]]>\n</script>\n"; }
 
 void make_directory(const std::filesystem::path& path) {
   std::error_code error;
@@ -76,11 +49,59 @@ void make_directory(const std::filesystem::path& path) {
     throw Error(Error::Kind::io, "directory cannot be made", path.string());
 }
 
-std::string embedded(Part& part, const std::string& name, const std::string& alternative, const Picture& picture) {
-  const std::string svg = render(picture, ImageFormat::svg);
-  part.files.emplace_back("figures/" + name + ".svg", svg);
-  return fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>", data_uri(svg), picture.width,
-                     picture.height, escaped(alternative));
+void Part::exact_run(double deviation) {
+  ++exact_runs;
+  largest_exact_deviation = std::max(largest_exact_deviation, deviation);
+}
+
+std::string Part::absorb(Part part) {
+  const auto append = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
+  append(files, part.files);
+  append(findings, part.findings);
+  append(figures, part.figures);
+  exact_runs += part.exact_runs;
+  largest_exact_deviation = std::max(largest_exact_deviation, part.largest_exact_deviation);
+  certificates_valid = certificates_valid && part.certificates_valid;
+  interactive = interactive || part.interactive;
+  return std::move(part.html);
+}
+
+std::string figure(Part& part, const Drawing& drawing, const Picture& picture) {
+  return figure_of(part, drawing, picture);
+}
+std::string figure(Part& part, const Drawing& drawing, const SurfacePicture& picture) {
+  return figure_of(part, drawing, picture);
+}
+
+std::string certificate_html(Part& part, const std::string& name, const std::string& text, const Checker& checker) {
+  const std::string file = "certificates/" + name + ".json";
+  part.files.emplace_back(file, text);
+  std::string html = fmt::format("<p><a download=\"{0}.json\" href=\"{1}\">Certificate</a> (also <code>{2}</code>)",
+                                 name, data_uri(text, "application/json"), file);
+  if (!checker) return html + ".</p>\n";
+  const CheckerVerdict v = checker(text);
+  part.certificates_valid = part.certificates_valid && v.valid;
+  std::string lines;
+  for (const auto& line : v.lines) lines += escaped(line) + "\n";
+  return html +
+         fmt::format(
+             ": the independent checker says <strong class=\"{0}\">{1}</strong>.</p>\n<details><summary>What the "
+             "checker verified, and the theorems it trusts</summary><pre>{2}</pre></details>\n",
+             v.valid ? "proved" : "refuted", v.valid ? "valid" : "refused", lines);
+}
+
+std::string commands_html(const std::vector<std::string>& lines) {
+  std::string s;
+  for (const auto& line : lines) s += command(line);
+  return "<pre class=\"shell\">" + s + "</pre>\n";
+}
+
+std::string hidden_commands(const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
+  return std::string("<details><summary>Command") + (lines.size() == 1 ? "" : "s") + "</summary>" +
+         commands_html(lines) + "</details>";
 }
 
 std::string shell_quoted(const std::string& word) {
@@ -113,10 +134,21 @@ std::string prose(std::string text) {
       text.replace(at, from.size(), to);
   };
   replace(">= ", "≥ ");
+  replace("v^0", "v⁰");
   replace("v0", "v⁰");
   replace("> -1", "> −1");
   replace("= -", "= −");
   return escaped(text);
+}
+
+std::string singular_table(const SingularSet& set) {
+  std::string s =
+      "<table class=\"narrow\"><thead><tr><th>singular v⁰</th><th>decimal</th><th>the step that fails</th></tr></thead>"
+      "<tbody>\n";
+  for (const auto& v : set.values)
+    s += fmt::format("<tr><td>{}</td><td>{}</td><td>k = {}</td></tr>\n", formula("", v.exact()),
+                     parse_real(v.exact()).decimal(6), v.level);
+  return s + "</tbody></table>\n";
 }
 
 std::string verdict_table(const std::vector<analysis::Decision>& decisions) {

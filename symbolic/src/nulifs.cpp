@@ -52,6 +52,28 @@ class Splines {
     return sum;
   }
 
+  // The coefficients of v_{rho,mu,i} in B-splines, (2.4), (2.6), (2.7).
+  SplineCoefficients<T> coefficients(long i) const {
+    const auto rho = static_cast<long>(f_.reproduction);
+    const long width = static_cast<long>(f_.order / 2) + rho;  // of the sum in (2.6)
+    SplineCoefficients<T> c;
+    c.lowest = 2 * (i - sigma_ - tau_);
+    c.values.assign(static_cast<std::size_t>(2 * (sigma_ + tau_ + width + rho) + static_cast<long>(f_.order)), T(0));
+    const auto at = [&](long m) -> T& { return c.values.at(static_cast<std::size_t>(m - c.lowest)); };
+    for (long m = 2 * (i - sigma_); m <= 2 * (i - sigma_ + rho) - 1; ++m) at(m) += coefficient(i, m);
+    if (f_.order == 3) return c;
+    const auto add_local = [&](long q, const T& factor) {
+      const std::vector<T> b = local_coefficients(q);
+      for (std::size_t k = 0; k < b.size(); ++k) at(2 * (q - tau_) + static_cast<long>(k)) += factor * b[k];
+    };
+    add_local(i, T(1));
+    for (long q = i - sigma_ + 1; q < i - sigma_ + width; ++q) {
+      const T u = quasi_interpolant(i, vertex_piece(q), vertex_values(q));
+      if (!u.is_zero()) add_local(q, -u);
+    }
+    return c;
+  }
+
  private:
   // The coefficient functional of N_m reads x_{r+sigma-rho+1} .. x_{r+sigma}, r = floor(m/2).
   bool sees(long m, long i) const {
@@ -109,22 +131,48 @@ class Splines {
   // x_{i-tau+n-3}.
   T local(long i, long piece, const std::vector<T>& values) const {
     const long size = static_cast<long>(f_.order) - 3;
-    const long first = 2 * (i - tau_);
+    std::vector<T> row;
     bool within = false;
-    for (long c = 0; c < size; ++c) within = within || !value_of(first + c, piece, values).is_zero();
+    for (long c = 0; c < size; ++c) {
+      row.push_back(value_of(2 * (i - tau_) + c, piece, values));
+      within = within || !row.back().is_zero();
+    }
     if (!within) return T(0);
+    const std::vector<std::vector<T>> a = local_matrix(i);
+    return with_row(a, std::move(row)) / determinant(a);
+  }
+
+  // Its B-spline coefficients: the same quotients for each N alone.
+  std::vector<T> local_coefficients(long i) const {
+    const std::size_t size = f_.order - 3;
+    const std::vector<std::vector<T>> a = local_matrix(i);
+    const T whole = determinant(a);
+    std::vector<T> result;
+    for (std::size_t c = 0; c < size; ++c) {
+      std::vector<T> unit(size, T(0));
+      unit[c] = T(1);
+      result.push_back(with_row(a, std::move(unit)) / whole);
+    }
+    return result;
+  }
+
+  // A_{n,tau,i}: the values of these B-splines, a row for each of the vertices.
+  std::vector<std::vector<T>> local_matrix(long i) const {
+    const long size = static_cast<long>(f_.order) - 3;
     std::vector<std::vector<T>> a;
-    for (long r = 0; r < size; ++r) {
-      const long q = i - tau_ + 1 + r;
-      const std::vector<T> row_values = vertex_values(q);
+    for (long q = i - tau_ + 1; q <= i - tau_ + size; ++q) {
+      const std::vector<T> values = vertex_values(q);
       std::vector<T> row;
-      for (long c = 0; c < size; ++c) row.push_back(value_of(first + c, vertex_piece(q), row_values));
+      for (long c = 0; c < size; ++c) row.push_back(value_of(2 * (i - tau_) + c, vertex_piece(q), values));
       a.push_back(std::move(row));
     }
-    std::vector<std::vector<T>> b = a;
-    for (long c = 0; c < size; ++c)
-      b[static_cast<std::size_t>(tau_ - 1)][static_cast<std::size_t>(c)] = value_of(first + c, piece, values);
-    return determinant(std::move(b)) / determinant(std::move(a));
+    return a;
+  }
+
+  // The determinant with another row for x_i.
+  T with_row(std::vector<std::vector<T>> a, std::vector<T> row) const {
+    a[static_cast<std::size_t>(tau_ - 1)] = std::move(row);
+    return determinant(std::move(a));
   }
 
   static T determinant(std::vector<std::vector<T>> a) {
@@ -240,6 +288,12 @@ std::vector<T> fundamental_values(const Knots<T>& t, const FundamentalFamily& fa
 }
 
 template <class T>
+SplineCoefficients<T> spline_coefficients(const Knots<T>& t, const FundamentalFamily& family, long i) {
+  family.validate();
+  return Splines<T>(t, family).coefficients(i);
+}
+
+template <class T>
 std::vector<T> sampled_rule(const FundamentalFamily& family, long first_edge, const std::vector<T>& d,
                             const std::vector<T>& lambda, bool upper) {
   family.validate();
@@ -268,6 +322,9 @@ template std::vector<Rational> fundamental_values(const Knots<Rational>&, const 
                                                   long);
 template std::vector<RationalFunction> fundamental_values(const Knots<RationalFunction>&, const FundamentalFamily&,
                                                           const RationalFunction&, long);
+template SplineCoefficients<Rational> spline_coefficients(const Knots<Rational>&, const FundamentalFamily&, long);
+template SplineCoefficients<RationalFunction> spline_coefficients(const Knots<RationalFunction>&,
+                                                                  const FundamentalFamily&, long);
 template std::vector<Rational> sampled_rule(const FundamentalFamily&, long, const std::vector<Rational>&,
                                             const std::vector<Rational>&, bool);
 template std::vector<RationalFunction> sampled_rule(const FundamentalFamily&, long,

@@ -10,6 +10,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "polynomial_coefficients.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/integer.hpp"
 
@@ -469,25 +470,38 @@ Polynomial Polynomial::derivative(const std::string& variable) const {
   return wrap(canonical(std::move(r)));
 }
 
+std::vector<Polynomial> coefficients_of(const Polynomial& p, const std::string& variable) {
+  const Rep& r = rep(p);
+  const auto at = std::find(r.names().begin(), r.names().end(), variable);
+  if (at == r.names().end()) return {p};
+  std::vector<Polynomial> result;
+  if (!r.multivariate) {
+    for (slong i = 0; i <= fmpz_poly_degree(r.dense); ++i) result.push_back(Polynomial::constant(r.dense->coeffs + i));
+    return result;
+  }
+  // Terms come in descending order, and so do those of each coefficient.
+  const auto place = static_cast<size_t>(at - r.names().begin());
+  std::vector<RepPtr> parts;
+  for (long e = 0; e <= p.degree(variable); ++e) parts.push_back(make(r.table));
+  std::vector<ulong> exponents(r.names().size());
+  Integer c;
+  for (slong i = 0; i < fmpz_mpoly_length(r.sparse, r.context); ++i) {
+    fmpz_mpoly_get_term_coeff_fmpz(c.v, r.sparse, i, r.context);
+    fmpz_mpoly_get_term_exp_ui(exponents.data(), r.sparse, i, r.context);
+    Rep& part = *parts[exponents[place]];
+    exponents[place] = 0;
+    fmpz_mpoly_push_term_fmpz_ui(part.sparse, c.v, exponents.data(), part.context);
+  }
+  for (RepPtr& part : parts) result.push_back(wrap(canonical(std::move(part))));
+  return result;
+}
+
 Polynomial Polynomial::substitute(const std::string& variable, const Polynomial& by) const {
   if (std::find(rep_->names().begin(), rep_->names().end(), variable) == rep_->names().end()) return *this;
-  // Horner in the variable, coefficients being polynomials in the others.
-  std::map<unsigned long, Polynomial> coefficients;
-  const size_t place =
-      static_cast<size_t>(std::find(rep_->names().begin(), rep_->names().end(), variable) - rep_->names().begin());
-  for_each_term([&](const Rational& c, std::span<const unsigned long> e) {
-    Polynomial term = Polynomial::constant(c.numerator());
-    for (size_t i = 0; i < e.size(); ++i)
-      if (i != place && e[i] != 0) term *= Polynomial::variable(rep_->names()[i]).pow(static_cast<unsigned>(e[i]));
-    coefficients[e[place]] += term;
-  });
   Polynomial r;
-  unsigned long previous = coefficients.rbegin()->first;
-  for (auto it = coefficients.rbegin(); it != coefficients.rend(); ++it) {
-    r = r * by.pow(static_cast<unsigned>(previous - it->first)) + it->second;
-    previous = it->first;
-  }
-  return r * by.pow(static_cast<unsigned>(previous));
+  const std::vector<Polynomial> c = coefficients_of(*this, variable);
+  for (size_t e = c.size(); e-- > 0;) r = r * by + c[e];
+  return r;
 }
 
 Rational Polynomial::evaluate(const std::vector<std::pair<std::string, Rational>>& at) const {

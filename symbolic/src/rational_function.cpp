@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "polynomial_coefficients.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/integer.hpp"
 
@@ -180,24 +181,19 @@ RationalFunction RationalFunction::pow(long exponent) const {
 }
 
 RationalFunction RationalFunction::substitute(const std::string& variable, const RationalFunction& by) const {
+  // p(n/d) = (sum_e c_e n^e d^(D-e))/d^D, D the degree.
+  const Polynomial d = by.denominator();
   const auto into = [&](const Polynomial& p) {
-    // p(by) = sum_e c_e by^e, by Horner over rational functions.
-    const long d = std::max(0L, p.degree(variable));
-    std::vector<RationalFunction> c(static_cast<size_t>(d) + 1);
-    p.for_each_term([&](const Rational& k, std::span<const unsigned long> e) {
-      Polynomial term = Polynomial::constant(k.numerator());
-      size_t power = 0;
-      for (size_t i = 0; i < e.size(); ++i) {
-        if (p.variables()[i] == variable)
-          power = e[i];
-        else
-          term *= Polynomial::variable(p.variables()[i]).pow(static_cast<unsigned>(e[i]));
-      }
-      c[power] += RationalFunction(term);
-    });
-    RationalFunction r;
-    for (size_t i = c.size(); i-- > 0;) r = r * by + c[i];
-    return r;
+    const std::vector<Polynomial> c = coefficients_of(p, variable);
+    Polynomial sum, power = 1;
+    for (size_t e = c.size(); e-- > 0;) {
+      sum = sum * by.numerator() + c[e] * power;
+      if (e > 0) power *= d;
+    }
+    const auto degree = static_cast<unsigned>(c.size() - 1);
+    Factors factors = by.factors_;
+    for (auto& [f, e] : factors) e *= degree;
+    return over_factors(std::move(sum), by.content_.pow(static_cast<long>(degree)), std::move(factors));
   };
   RationalFunction denominator = RationalFunction(content_);
   for (const auto& [f, e] : factors_) denominator *= into(f).pow(static_cast<long>(e));

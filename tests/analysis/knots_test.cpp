@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
+
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/check/check.hpp"
@@ -101,6 +103,20 @@ TEST(Knots, FourPointSchemesAreC1) {
   }
 }
 
+TEST(Knots, Support) {
+  const auto verdict = [](const char* name, const char* support) {
+    const Proof p = prove_on_knots(make_scheme(name), {{"support", support, ""}});
+    if (p.decisions[0].verdict == Verdict::proved) {
+      EXPECT_EQ(check::check_text(p.certificate).status, check::Report::valid);
+    }
+    return p.decisions[0].verdict;
+  };
+  EXPECT_EQ(verdict("nuli4", "-3..3"), Verdict::proved);
+  EXPECT_EQ(verdict("nuli4", "-2..3"), Verdict::refuted);
+  EXPECT_EQ(verdict("nuli6", "-5..5"), Verdict::proved);
+  EXPECT_EQ(verdict("lagrange4", "-3..3"), Verdict::proved);
+}
+
 TEST(Knots, Precision) {
   const auto verdict = [](const char* name, const char* space) {
     return prove_on_knots(make_scheme(name), {{"reproduces", space, ""}}).decisions[0].verdict;
@@ -121,6 +137,75 @@ TEST(Knots, AChangedRuleIsRefused) {
   odd[1][0] -= Rational(1, 1000);
   EXPECT_EQ(prove_on_knots(s, {{"reproduces", "1, x", ""}}).decisions[0].verdict, Verdict::refuted);
   EXPECT_NE(prove_on_knots(s, continuity("1")).decisions[0].verdict, Verdict::proved);
+}
+
+std::string sealed_again(const std::string& text) {
+  return check::sealed(text.substr(0, text.rfind("\"digest\": \"")) + "\"digest\": \"\"\n}\n");
+}
+
+/// The places of the digits between two pieces of a text.
+std::vector<size_t> digits_between(const std::string& text, const std::string& from, const std::string& to) {
+  std::vector<size_t> places;
+  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1)) {
+    const size_t end = text.find(to, at);
+    for (size_t i = at + from.size(); i < end; ++i)
+      if (std::isdigit(static_cast<unsigned char>(text[i])) != 0) places.push_back(i);
+  }
+  return places;
+}
+
+/// The certificate is about the rule that it holds: every number of the rule, of the precision, of the edge parameters
+/// and of the characteristic polynomials matters.
+TEST(Knots, CertificatesAreBoundToTheRule) {
+  const Scheme s = make_scheme("nuli4");
+  const std::string text = prove_on_knots(s, s.claims).certificate;
+  ASSERT_EQ(check::check_text(text).status, check::Report::valid);
+  std::vector<size_t> places = digits_between(text, "\"knots\": {", "\"claims\"");
+  ASSERT_GT(places.size(), 100U);
+  for (const auto& [from, to] :
+       {std::pair("\"degree\": ", ","), std::pair("\"support\": [", "]"), std::pair("\"left\": ", ","),
+        std::pair("\"right\": ", ","), std::pair("\"kept\": ", ","), std::pair("\"multiplicity\": ", ","),
+        std::pair("\"sum_rules\": ", ","), std::pair("*z^2", ",")}) {
+    const auto more = digits_between(text, from, to);
+    EXPECT_FALSE(more.empty()) << from;
+    places.insert(places.end(), more.begin(), more.end());
+  }
+  for (const size_t at : places) {
+    std::string changed = text;
+    changed[at] = changed[at] == '9' ? '1' : static_cast<char>(changed[at] + 1);
+    EXPECT_NE(check::check_text(sealed_again(changed)).status, check::Report::valid)
+        << text.substr(at < 60 ? 0 : at - 60, 80) << " -> " << changed[at];
+  }
+  // A claim that is left out takes the conclusion with it.
+  for (const std::string claim : {"knots-reproduces", "nonnegative-symbol"}) {
+    std::string without = text;
+    for (size_t at = without.find("\"claim\": \"" + claim + "\""); at != std::string::npos;
+         at = without.find("\"claim\": \"" + claim + "\"")) {
+      const size_t from = without.rfind("\n  {\n", at);
+      without.erase(from, without.find("\n  },", at) + 5 - from);
+    }
+    EXPECT_EQ(check::check_text(sealed_again(without)).status, check::Report::invalid) << claim;
+  }
+}
+
+/// nuli6 is C^2 exactly where a polynomial is positive: the certificate says so, and shows a counterexample.
+TEST(KnotsSlow, CertificateOfTheSixPointScheme) {
+  const Scheme s = make_scheme("nuli6");
+  const std::string text = prove_on_knots(s, s.claims).certificate;
+  const check::Report report = check::check_text(text);
+  ASSERT_EQ(report.status, check::Report::valid) << report.message;
+  EXPECT_NE(text.find("\"restriction\""), std::string::npos);
+  // The restriction is derived, not believed; nor is the counterexample.
+  std::string changed = text;
+  const size_t at = text.find("\"tree\": \"", text.find("\"restriction\"")) + 9;
+  changed[at] = changed[at] == '1' ? '2' : '1';
+  EXPECT_NE(check::check_text(sealed_again(changed)).status, check::Report::valid);
+  changed = text;
+  changed.replace(changed.find("\"left\": \"3/4\""), 13, "\"left\": \"2/4\"");
+  EXPECT_NE(check::check_text(sealed_again(changed)).status, check::Report::valid);
+  changed = text;
+  changed.replace(changed.find("\"left\": \"3/4\""), 13, "\"left\": \"1/2\"");
+  EXPECT_EQ(check::check_text(sealed_again(changed)).status, check::Report::invalid);
 }
 
 /// All eigenvalues that are not 2^{-n}, n < 4, at rational parameters.

@@ -13,7 +13,7 @@ import unittest
 from support import ProgramTest
 
 ROOT = os.environ.get("TWOSCALE_SOURCE_DIR") or os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-PAPERS = ("beccari2007", "jeong2013", "romani2009")
+PAPERS = ("beccari2007", "hermite2010", "jeong2013", "nuli", "romani2009")
 UPDATE = "--update" in sys.argv
 
 ITEM = """[[item]]
@@ -70,7 +70,7 @@ class Outside(ProgramTest):
     def test_resume_keeps_results_of_unchanged_items(self):
         journal = os.path.join(self.folder.name, "journal")
         self.write(ITEM.format(2, 2) + ITEM.format(3, 3))
-        first = self.twoscale("audit", self.file, "--resume", journal)
+        first = self.twoscale("audit", self.file, "--resume", journal, "--threads", 1)
         with open(journal, encoding="utf-8") as file:
             lines = [line for line in file.read().split("\n") if line]
         self.assertEqual(len(lines), 2)
@@ -83,6 +83,24 @@ class Outside(ProgramTest):
         # Another item is decided anew.
         self.write(ITEM.format(4, 4))
         self.assertIn("left - right = -2*x", self.twoscale("audit", self.file, "--resume", journal))
+
+    def test_any_number_of_processes_answers_the_same(self):
+        self.write("".join(ITEM.format(i, i) for i in range(40)))
+        alone = self.twoscale("audit", self.file, "--threads", 1)
+        journal = os.path.join(self.folder.name, "journal")
+        for processes in (2, 5, 64):
+            self.assertEqual(self.twoscale("audit", self.file, "--threads", processes), alone)
+        self.assertEqual(self.twoscale("audit", self.file, "--threads", 3, "--resume", journal), alone)
+        with open(journal, encoding="utf-8") as file:
+            self.assertEqual(len([line for line in file if line.strip()]), 40)
+        self.assertEqual(self.twoscale("audit", self.file, "--threads", 3, "--resume", journal), alone)
+        # The first item that cannot be read is named, whichever process meets it.
+        broken = [ITEM.format(i, i) for i in range(12)]
+        broken[4] = ITEM.format(4, "2**").replace('"(1)"', '"(4)"')
+        broken[9] = ITEM.format(9, "2**").replace('"(1)"', '"(9)"')
+        self.write("".join(broken))
+        for processes in (1, 2, 5):
+            self.assertIn("(4)", self.refused("audit", self.file, "--threads", processes))
 
     def test_bad_input(self):
         self.twoscale("audit", "nothing2001", status=2)

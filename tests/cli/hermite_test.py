@@ -139,6 +139,55 @@ class Refine(Files):
         refused("0,0\n1,0\n1,1\n", "--at", "w=-1/2", naming="w")
         refused("0,0\n1,0\n1,1\n", "--v0", "2", naming="level variable")
 
+    def test_cases_are_decided_in_intervals(self):
+        """The first pole of these data is 1/tan(1/8): a tie is undecided, the 25th digit is seen."""
+        path = self.path("in.csv", "fx,fy,px,py,rx,ry,sigma\n0,0,1,2,3,4,-1\n1,1,2,1,0,-1,0\n3,0,1,-2,-1,0,1\n")
+        common = ("--levels", "2", "--digits", "30", "--open", "given", path)
+        tie = run("twoscale", "refine", "hermite-circle", "--at", "w=1/tan(1/8)", *common)
+        self.assertEqual((tie.returncode, tie.stdout, len(tie.stderr.splitlines())), (3, "", 1))
+        self.assertIn("whether w is below the first pole", tie.stderr)
+        self.twoscale("refine", "hermite-circle", "--at", "w=1/tan(1/8)-10^(-25)", *common)
+        self.refused("refine", "hermite-circle", "--at", "w=1/tan(1/8)+10^(-25)", *common, naming="w*")
+
+    def test_points_in_space(self):
+        # No plane: the least moments agree. Digits agree with more digits.
+        self.refused("refine", "hermite-circle", "--levels", "1", self.path("t.csv", "1,1,1\n1,-1,-1\n-1,1,-1\n-1,-1,1\n"),
+                     naming="plane")
+        text = "3,0,0.5\n1,2.5,-0.25\n-2,1,1\n-2.5,-1.5,0\n0.5,-2,0.75\n"
+        few = self.refined("hermite-circle", text, "--levels", "2", "--digits", "20")[1]
+        many = self.refined("hermite-circle", text, "--levels", "2", "--digits", "50")[1]
+        double = self.refined("hermite-circle", text, "--levels", "2")[1]
+        for a, b, c in zip(few, many, double):
+            for x, y, z in zip(a, b, c):
+                self.assertAlmostEqual(float(mpmath.mpf(x) - mpmath.mpf(y)), 0, delta=1e-19)
+                self.assertAlmostEqual(float(y), float(z), delta=1e-12)
+
+    def test_awkward_points(self):
+        """What Algorithm 1 as printed mishandles: all come out finite and near their polygons."""
+        turn = 2 * math.pi
+        cases = {
+            "repeated end vertex, up to rounding": [(math.cos(a), math.sin(a)) for a in (0, 1, 2.5, 4, turn)],
+            "nearly collinear triples": [(0, 0), (2, 1e-9), (4, 0), (6, 0.3), (6, 3), (3, 3.002), (0, 3)],
+            "collinear triples": [(0, 0), (1, 0), (2, 0), (2, 2), (1, 2), (0, 2)],
+            "pentagram": [(math.cos(a), math.sin(a)) for a in (2 * turn * j / 5 for j in range(5))],
+            "two turns, not round": [(2 * math.cos(a), math.sin(a) + 0.1 * math.cos(2 * a)) for a in (2 * turn * j / 7 for j in range(7))],
+            "a vertex at the centre": [(0, 0), (1, 0), (1, 1), (-1, 1), (-1, -1), (1, -1)],
+            "clockwise": [(0, 3), (3, 3.1), (4, 0), (1, -1)],
+            "neighbours that are one point": [(0, 0), (1, 0.2), (3, 0), (1, 0.2), (0.5, 2)],
+        }
+        for name, points in cases.items():
+            for options in ([], ["--open", "given"]):
+                if options and name == "neighbours that are one point":
+                    continue
+                with self.subTest(name, open=bool(options)):
+                    text = "".join(f"{x!r},{y!r}\n" for x, y in points)
+                    rows = self.refined("hermite-circle", text, "--levels", "5", *options)[1]
+                    size = max(math.hypot(x - u, y - v) for x, y in points for u, v in points)
+                    for x, y in rows:
+                        self.assertLess(min(math.hypot(float(x) - u, float(y) - v) for u, v in points), size)
+        for x, y, z in self.refined("hermite-circle", "0,2,0\n4,2,-1\n5,2,2\n2,2,5\n-1,2,3\n", "--levels", "4")[1]:
+            self.assertAlmostEqual(float(y), 2, delta=1e-13)  # a plane y = const
+
     def test_pictures(self):
         path = self.path("in.csv", "0,0\n4,-1\n5,2\n2,5\n-1,3\n")
         for kind, options in (("curve", []), ("comb", []), ("curvature", ["--at", "w=3/2"]), ("sweep", ["--values", "1/2,1,3/2"])):
@@ -148,8 +197,75 @@ class Refine(Files):
                 self.assertIn("<svg", file.read())
 
     def test_commands_for_scalar_schemes_refuse(self):
-        for command in (["table", "--levels", "2"], ["regularity"], ["prove"]):
-            self.refused(command[0], "hermite-circle", *command[1:])
+        self.refused("table", "hermite-circle", "--levels", "2")
+        self.refused("prove", "hermite-circle", "--claim", "sum-rules=2", naming="sum-rules")
+        self.refused("regularity", "hermite-circle", "--over", "w=[1,2]", naming="--over")
+
+
+class Proofs(Files):
+    def certificate(self, scheme, *claims, status=0):
+        path = self.path("certificate.json")
+        options = [x for c in claims for x in ("--claim", c)]
+        return path, self.twoscale_json("prove", scheme, *options, "--certificate", path, status=status)["claims"]
+
+    def test_claims_and_certificates(self):
+        for scheme, continuity, status in (("hermite-circle", "proved", 0), ("hermite-circle:variant=c2,w=7/5", "proved", 0),
+                                           ("hermite-circle:w=7/5", "refuted", 1)):
+            path, claims = self.certificate(scheme, status=status)
+            verdicts = {(c["claim"], c["subject"]): c["verdict"] for c in claims}
+            self.assertEqual(verdicts.pop(("continuity", "2")), continuity)
+            self.assertEqual(set(verdicts.values()), {"proved"})
+            self.assertIn("valid", self.check(path))
+            self.assertIn("valid", self.twoscale("check", path))
+
+    def test_a_changed_coefficient_is_refused(self):
+        path, _ = self.certificate("hermite-circle", "continuity=2")
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text.replace('"numerators": [\n     "', '"numerators": [\n     "-', 1).replace("--", ""))
+        self.check(path, status=2)  # the seal
+
+    def test_regularity(self):
+        document = self.twoscale_json("regularity", "hermite-circle", "--at", "w=7/5")
+        self.assertEqual((document["format"], document["continuity"], document["geometric"]), ("twoscale/regularity", 1, 2))
+        self.assertIn("r jumps", document["reason"])
+        self.assertEqual(self.twoscale_json("regularity", "hermite-circle")["continuity"], 2)
+        text = self.twoscale("regularity", "hermite-circle:variant=c2,w=7/5")
+        self.assertIn("continuity  C^2 in t", text)
+        self.refused("regularity", "hermite-circle", "--at", "w=0", naming="w")
+        self.refused("regularity", "hermite-circle", "--at", "w=sqrt(2)", naming="rational")
+
+    def test_report(self):
+        directory = self.path("page")
+        summary = self.twoscale_json("report", "hermite2010", "-o", directory)
+        self.assertTrue(summary["certificates_valid"])
+        self.assertLess(summary["largest_exact_deviation"], 1e-12)
+        with open(os.path.join(directory, "index.html"), encoding="utf-8") as file:
+            page = file.read()
+        # The commands of the page run in its directory.
+        import html
+        import re
+        import shlex
+        commands = [html.unescape(c) for c in re.findall(r'<span class="prompt">\$ </span>([^\n]*)', page)]
+        self.assertGreater(len(commands), 8)
+        for line in commands[:4] + commands[-2:]:
+            words = shlex.split(line)
+            self.assertEqual(words[0], "twoscale")
+            done = run("twoscale", *words[1:], cwd=directory)
+            self.assertIn(done.returncode, (0, 1) if words[1] == "prove" else (0,), line + done.stderr)
+        self.refused("report", "hermite2010", "--at", "w=2", "-o", directory, naming="hermite2010")
+
+    def test_other_schemes_of_blocks(self):
+        scheme = self.path("h.toml", '[scheme]\nname = "h"\nblock = 2\n'
+                           '[[phase]]\nresidue = 0\nstencil = {"0" = [["1", "0"], ["0", "1"]]}\n'
+                           '[[phase]]\nresidue = 1\nstencil = {"0" = [["1/2", "1/8"], ["-3/2", "-1/4"]], '
+                           '"1" = [["1/2", "-1/8"], ["3/2", "-1/4"]]}\n')
+        claims = self.twoscale_json("prove", scheme)["claims"]
+        self.assertEqual([(c["claim"], c["subject"], c["verdict"]) for c in claims],
+                         [("interpolatory", "", "proved"), ("spectral", "3", "proved")])
+        self.assertIn("undecided", self.twoscale("prove", scheme, "--claim", "continuity=1", status=3))
+        self.assertIn("undecided", self.twoscale("regularity", scheme, status=3))
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ class Nuli(ProgramTest):
     def test_prove(self):
         certificate = os.path.join(self.directory, "c.json")
         d = self.twoscale_json("prove", "nuli4", "--certificate", certificate)
-        self.assertEqual([c["verdict"] for c in d["claims"]], ["proved"] * 3)
+        self.assertEqual([c["verdict"] for c in d["claims"]], ["proved"] * 4)
         self.assertEqual(len(d["claims"][2]["exceptions"]), 1)
         self.assertIn("valid", self.check(certificate))
         with open(certificate, encoding="utf-8") as f:

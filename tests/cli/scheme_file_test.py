@@ -229,10 +229,12 @@ class Refused(SchemeFileTest):
         for file, word in ((block, "blocks"), (local, "local")):
             self.assertIn("rule", self.twoscale("show", file))
             self.twoscale_json("show", file)
-            for command in (["prove", file, "--claim", "symmetric"], ["regularity", file],
-                            ["table", file, "--levels", "1"],
+            for command in (["prove", file, "--claim", "symmetric"], ["table", file, "--levels", "1"],
                             ["report", file, "-o", self.path("page")]):
                 self.refused(*command, naming=word)
+        self.refused("regularity", local, naming="local")
+        self.assertIn("undecided", self.twoscale("regularity", block, status=3))
+        self.assertEqual(self.twoscale_json("prove", block)["claims"][0]["verdict"], "proved")
         self.refused("spectrum", local, naming="local")
         self.refused("refine", local, "--levels", "1", points, naming="local")
         self.refused("refine", block, "--levels", "1", points, naming="derivatives")

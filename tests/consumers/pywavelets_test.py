@@ -3,14 +3,19 @@
 
 import unittest
 
-import numpy
-import pywt
 from support import ProgramTest
+
+try:
+    import numpy
+    import pywt
+except ImportError:
+    pywt = None
 
 BANKS = (("dd:l=1", "--vanishing", "2"), ("tension4", "--vanishing", "2", "--v0", "3"), ("bspline:n=2", "--vanishing", "3"),
          ("bspline:n=3", "--vanishing", "4"), ("mixed:n=1", "--vanishing", "2", "--t", "1"))
 
 
+@unittest.skipIf(pywt is None, "not installed: python3-pywt")
 class PyWavelets(ProgramTest):
     def module(self, *arguments):
         space = {}

@@ -290,6 +290,94 @@ class Program(ProgramTest):
             out += [row] + edge[1:-1]
         return out
 
+    # ---- Points alone: Algorithm 1 and the derivatives, written again from docs/hermite.md
+
+    def test_points_alone_in_many_digits(self):
+        """Two closed polygons to level 4 and one in space that lies in no plane, in 40 digits."""
+        polygons = {"plane": ["0,0", "4,-1", "5,2", "2,5", "-1,3"],
+                    "uneven": ["1.5,0.1", "1.2,0.9", "-0.4,1.25", "-1.3,-0.2", "-0.9,-1", "0.8,-0.75"],
+                    "space": ["3,0,0.5", "1,2.5,-0.25", "-2,1,1", "-2.5,-1.5,0", "0.5,-2,0.75"]}
+        with tempfile.TemporaryDirectory() as directory, mpmath.workdps(80):
+            for name, rows in polygons.items():
+                path = os.path.join(directory, name + ".csv")
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write("\n".join(rows) + "\n")
+                points = [[mpmath.mpf(x) for x in row.split(",")] for row in rows]
+                for variant, w in (("printed", "5/4"), ("c2", "3/4")):
+                    out = self.twoscale("refine", f"hermite-circle:variant={variant},w={w}", "--levels", "4", "--digits", "40",
+                                        "--quiet", path).split()
+                    expected = self.from_points(points, 4, variant, mpmath.mpf(sp.Rational(w).p) / sp.Rational(w).q)
+                    self.assertEqual(len(out) - (0 if out[0][0] in "-0123456789" else 1), len(expected))
+                    for line, row in zip(out[-len(expected):], expected):
+                        for text, value in zip(line.split(","), row):
+                            self.assertLessEqual(abs(mpmath.mpf(text) - value), abs(value) * mpmath.mpf("1e-39"), name)
+
+    def from_points(self, points, levels, variant, w):
+        dim, n = len(points[0]), len(points)
+        f = [mpmath.matrix(p + [mpmath.mpf(0)] * (3 - dim)) for p in points]
+        dot = lambda a, b: sum(a[i] * b[i] for i in range(3))
+        norm = lambda a: mpmath.sqrt(dot(a, a))
+        cross = lambda a, b: mpmath.matrix([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+        def centre(a, m, b):  # solves for the point of the plane that is equally far from the three
+            u, v = a - m, b - m
+            normal = cross(u, v)
+            return m + mpmath.lu_solve(mpmath.matrix([list(u), list(v), list(normal)]),
+                                       mpmath.matrix([dot(u, u) / 2, dot(v, v) / 2, 0]))
+
+        b = sum((centre(f[i - 1], f[i], f[(i + 1) % n]) for i in range(n)), mpmath.matrix([0, 0, 0])) / n
+        normal = mpmath.matrix([0, 0, 1])
+        if dim == 3:
+            moments = mpmath.matrix(3, 3)
+            for p in f:
+                moments += (p - b) * (p - b).T
+            values, vectors = mpmath.eigsy(moments)
+            normal = vectors[:, 0]
+            if normal[2] < 0:
+                normal = -normal
+        e1 = mpmath.matrix([1, 0, 0])
+        if dim == 3:
+            e1 = mpmath.matrix([normal[2], 0, -normal[0]])
+            e1 /= norm(e1)
+        e2 = cross(normal, e1)
+        sigma = [mpmath.atan2(dot(p - b, e2), dot(p - b, e1)) for p in f]
+        steps = [(y - x) % (2 * mpmath.pi) for x, y in zip(sigma, sigma[1:] + sigma[:1])]
+        self.assertLess(abs(sum(steps) - 2 * mpmath.pi), 1e-20, "one turn, counterclockwise")
+        sigma = [-mpmath.pi + sum(steps[:i]) for i in range(n)]
+        rates = lambda s: ((1 + mpmath.tan(s / 4) ** 2) / 8, mpmath.tan(s / 4) * (1 + mpmath.tan(s / 4) ** 2) / 16)
+        omega = w if variant == "c2" else 1
+        data = []
+        for i in range(n):
+            left, right = f[i - 1], f[(i + 1) % n]
+            c = centre(left, f[i], right)
+            inward = (c - f[i]) / dot(c - f[i], c - f[i])  # curvature vector of the circle
+            tangent = cross(cross(f[i] - left, right - f[i]), f[i] - c)
+            radius = [norm(f[i] - left) / (2 * mpmath.sin(steps[i - 1] / 2)), norm(right - f[i]) / (2 * mpmath.sin(steps[i] / 2))]
+            speed = 2 / (1 / radius[0] + 1 / radius[1])
+            first, second = tangent * (speed / norm(tangent)), inward * speed**2
+            t1, t2 = rates(sigma[i])
+            p = first / t1
+            data.append((f[i], p, (second - p * t2) / t1**2, sigma[i]))
+        # The closing edge ends a turn after vertex 0: its data there have the same derivatives in sigma.
+        start = data[0]
+        (o1, o2), (t1, t2) = rates(start[3]), rates(start[3] + 2 * mpmath.pi)
+        p = start[1] * (o1 / t1)
+        data.append((start[0], p, (start[2] * o1**2 + (start[1] * o2 - p * t2) / omega) / t1**2, start[3] + 2 * mpmath.pi))
+        out = []
+        for edge in zip(data, data[1:]):
+            edge = list(edge)
+            for _ in range(levels):
+                finer = []
+                for a, c in zip(edge, edge[1:]):
+                    v, u = mpmath.tan(a[3] / 8), mpmath.tan(c[3] / 8)
+                    rule = hermite_rule(v, v + w * (u - v) if variant == "printed" else u)
+                    new = [sum((w ** (j - k) if variant == "c2" else 1) * (rule[k][2 * j] * a[j] + rule[k][2 * j + 1] * c[j])
+                               for j in range(3)) for k in range(3)]
+                    finer += [a, (*new, (a[3] + c[3]) / 2)]
+                edge = finer + [edge[-1]]
+            out += [list(x[0])[:dim] for x in edge[:-1]]
+        return out
+
 
 if __name__ == "__main__":
     unittest.main()

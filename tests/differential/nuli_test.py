@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Schemes on knots against PARI/GP: stencils from the splines themselves, spectra of junctions, the paper's appendix."""
 
+import os
 import random
+import tempfile
 import unittest
 from fractions import Fraction
+
+from mpmath import mp
 
 from support import ProgramTest, pari, to_pari
 
@@ -75,6 +79,137 @@ g=w(E(-2),E(-1),1-P(-1),P(0)); print(a(-4)==-(g[1]*a(-5)+g[2]*a(-3))/g[3]);
 g=w(E(1),E(0),P(2),1-P(1)); print(a(0)==-(g[1]*a(1)+g[2]*a(-1))/g[3]);
 """
         self.assertEqual(pari(code).split(), ["1"] * 9)
+
+
+class NulifsPolygon:
+    """Closed polygons refined by the definition, in mpmath: every new point is the value of the spline interpolant of
+    (2.4)-(2.7) of the points of this level, or of the cubic through four of them."""
+
+    def __init__(self, points, edge_parameters, tags, kind):
+        self.points, self.parameters, self.tags = points, edge_parameters, tags
+        n = len(points)
+        self.d = []
+        for i in range(n):
+            length = mp.sqrt(sum((a - b) ** 2 for a, b in zip(points[i], points[(i + 1) % n])))
+            self.d.append({"uniform": mp.mpf(1), "chordal": length, "centripetal": mp.sqrt(length)}[kind])
+        self.known = {}  # knots
+        self.found = {}  # coefficients
+
+    def knot(self, m):
+        """t_m, x_0 = 0."""
+        if m not in self.known:
+            self.known[m] = self.compute_knot(m)
+        return self.known[m]
+
+    def compute_knot(self, m):
+        n, edge = len(self.points), m // 2
+        whole = sum(self.d) * (edge // n) + sum(self.d[:edge % n])
+        return whole if m % 2 == 0 else whole + self.parameters[edge % n] * self.d[edge % n]
+
+    def bspline(self, order, m, x, piece):
+        if order == 1:
+            return mp.mpf(1 if m == piece else 0)
+        if m > piece or m + order - 1 < piece:
+            return mp.mpf(0)
+        t = self.knot
+        left, right = t(m + order - 1) - t(m), t(m + order) - t(m + 1)
+        value = mp.mpf(0)
+        if left != 0:
+            value += (x - t(m)) / left * self.bspline(order - 1, m, x, piece)
+        if right != 0:
+            value += (t(m + order) - x) / right * self.bspline(order - 1, m + 1, x, piece)
+        return value
+
+    def coefficient(self, *key):
+        if key not in self.found:
+            self.found[key] = self.compute_coefficient(*key)
+        return self.found[key]
+
+    def compute_coefficient(self, order, sigma, i, m):
+        """(2.5): phi has the points as zeros that N_m sees, without x_i."""
+        last = m // 2 + sigma
+        seen = [self.knot(2 * q) for q in range(last - order + 1, last + 1) if q != i]
+        if len(seen) == order:
+            return mp.mpf(0)
+        centre = self.knot(2 * i)
+        phi, psi = [mp.mpf(1)], [mp.mpf(1)]  # from the constant term up, in y = x - centre
+        for z in seen:
+            phi = [(phi[k - 1] if k > 0 else 0) - (z - centre) * (phi[k] if k < len(phi) else 0)
+                   for k in range(len(phi) + 1)]
+        for q in range(1, order):
+            z = self.knot(m + q) - centre
+            psi = [(psi[k - 1] if k > 0 else 0) - z * (psi[k] if k < len(psi) else 0) for k in range(len(psi) + 1)]
+        total = sum((-1) ** k * mp.factorial(k) * phi[k] * mp.factorial(order - 1 - k) * psi[order - 1 - k]
+                    for k in range(order))
+        return total / mp.factorial(order - 1) / phi[0]
+
+    def weights(self, scheme, edge):
+        t = self.knot
+        x = (t(2 * edge) + t(2 * edge + 2)) / 2
+        if scheme == "lagrange4":
+            nodes = range(edge - 1, edge + 3)
+            return {j: mp.fprod((x - t(2 * q)) / (t(2 * j) - t(2 * q)) for q in nodes if q != j) for j in nodes}
+        order, mu = (3, 2) if scheme == "nuli4" else (4, 3)
+        piece = 2 * edge + (0 if t(2 * edge + 1) >= x else 1)
+        active = range(piece - order + 1, piece + 1)
+        sigma = mu  # n = 3; for n = 4 it is mu - tau + 1 with tau = 1
+
+        def u(i, at, inside):
+            return sum(self.bspline(order, m, at, inside) * self.coefficient(order, sigma, i, m)
+                       for m in range(inside - order + 1, inside + 1))
+
+        result = {}
+        for i in range(edge - mu + 1, edge + mu + 1):
+            value = sum(self.bspline(order, m, x, piece) * self.coefficient(order, sigma, i, m) for m in active)
+            if order == 4:
+                # (2.6): l_q is N_{2q-2}, 1 at x_q.
+                for q in range(edge - 2, edge + 4):
+                    local = self.bspline(4, 2 * q - 2, x, piece)
+                    if local != 0:
+                        at = t(2 * q)
+                        value += ((1 if q == i else 0) - u(i, at, 2 * q)) * local / self.bspline(4, 2 * q - 2, at, 2 * q)
+            result[i] = value
+        return result
+
+    def refined(self, scheme):
+        n = len(self.points)
+        points, parameters, tags, d = [], [], [], []
+        for e in range(n):
+            w = self.weights(scheme, e)
+            points += [self.points[e], [sum(w[j] * self.points[j % n][c] for j in w) for c in range(2)]]
+            half = mp.mpf(1) / 2
+            parameters += [self.parameters[e] if self.tags[v] else half for v in (e, (e + 1) % n)]
+            tags += [self.tags[e], False]
+            d += [self.d[e] / 2] * 2
+        self.points, self.parameters, self.tags, self.d = points, parameters, tags, d
+        self.known, self.found = {}, {}
+
+
+class ClosedPolygons(ProgramTest):
+    def test_nine_runs(self):
+        """Three rules, three parametrisations: 28 of 30 digits."""
+        rows = [("0", "0", "0.5", 0), ("6", "-0.4", "0.9", 1), ("6.35", "0", "0.125", 1), ("6.5", "3", "0.5", 0),
+                ("4.3", "3.3", "0.75", 1), ("4.2", "6.2", "0.5", 0), ("0.3", "6.1", "0.4", 0)]
+        with tempfile.TemporaryDirectory() as folder, mp.workdps(45):
+            path = os.path.join(folder, "p.csv")
+            with open(path, "w", encoding="utf-8") as f:
+                f.write("x,y,lambda,tag\n" + "".join(f"{x},{y},{l},{t}\n" for x, y, l, t in rows))
+            for scheme in ("nuli4", "nuli6", "lagrange4"):
+                for kind in ("centripetal", "chordal", "uniform"):
+                    with self.subTest(scheme=scheme, kind=kind):
+                        p = NulifsPolygon([[mp.mpf(x), mp.mpf(y)] for x, y, _, _ in rows],
+                                          [mp.mpf(l) for _, _, l, _ in rows], [t == 1 for *_, t in rows], kind)
+                        for _ in range(2):
+                            p.refined(scheme)
+                        ours = self.twoscale("refine", scheme, "--levels", "2", "--parametrization", kind,
+                                             "--digits", "30", path).split()[1:]
+                        doubles = self.twoscale("refine", scheme, "--levels", "2", "--parametrization", kind,
+                                                path).split()[1:]
+                        self.assertEqual(len(ours), 4 * len(rows))
+                        for row, rough, point in zip(ours, doubles, p.points):
+                            for text, double, number in zip(row.split(",")[:2], rough.split(",")[:2], point):
+                                self.assertLess(abs(mp.mpf(text) - number), mp.mpf(10) ** -28)
+                                self.assertLess(abs(mp.mpf(double) - number), 1e-13)
 
 
 class Junctions(ProgramTest):

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -8,6 +10,7 @@
 
 #include "tables.hpp"
 #include "twoscale/kernels/error.hpp"
+#include "twoscale/kernels/export/refinement_matrix.hpp"
 #include "twoscale/kernels/export/table_writer.hpp"
 #include "twoscale/kernels/refine.hpp"
 #include "twoscale/kernels/write_file.hpp"
@@ -63,13 +66,34 @@ TEST(Writers, AreFoundByName) {
     write_table(chaikin(), "xml");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "no mask table format is called 'xml' (json, csv, c, cpp, npy)");
+    EXPECT_STREQ(
+        error.what(),
+        "no mask table format is called 'xml' (json, csv, c, cpp, python, npy, julia, matlab, glsl, typescript, latex, "
+        "pywavelets, stencil, matrixmarket)");
   }
+}
+
+// A bank that reconstructs, the same at all levels: Haar's, padded.
+MaskTable with_filters(MaskTable table) {
+  const double h = 0.7071067811865476;
+  FilterRow row;
+  row.value = {{{h, h}, {-h, h}, {h, h}, {h, -h}}};
+  for (std::size_t f = 0; f < 4; ++f)
+    for (const double x : row.value[f]) row.text[f].push_back(shortest(x));
+  table.filters.assign(table.levels.size() + 1, row);
+  return table;
 }
 
 TEST(Writers, EveryOneIsDeterministicAndSaysWhatItIs) {
   for (const TableWriter* writer : table_writers()) {
-    for (const MaskTable& table : {tension(0.5, 3), many_digits()}) {
+    const std::string text = writer->write(with_filters(tension(0.5, 3)));
+    if (writer->name() != "json") {
+      for (const char* fact :
+           {"Scheme: tension4", "Parameters: v0 = 0.5", "Rule: f^{k+1}_i", "Levels: row k is the step", "p = 0",
+            "Index origin", "Normalisation: coefficients sum to 2", "Tail: for k >= 3"})
+        EXPECT_NE(text.find(fact), std::string::npos) << writer->name() << ": " << fact;
+    }
+    for (const MaskTable& table : {with_filters(tension(0.5, 3)), with_filters(many_digits())}) {
       const std::string bytes = writer->write(table);
       EXPECT_EQ(bytes, writer->write(table)) << writer->name();
       EXPECT_NE(bytes.find("twoscale"), std::string::npos) << writer->name();
@@ -271,6 +295,128 @@ int main() {
                       (directory / "main.cpp") + "' -o '" + (directory / "run") + "'",
                   table);
   }
+}
+
+TEST(Filters, AreWrittenWhereTheyAre) {
+  EXPECT_THROW(write_table(tension(0.5, 3), "pywavelets"), Error);
+  const std::string text = write_table(with_filters(tension(0.5, 1)), "pywavelets");
+  EXPECT_NE(text.find("[[0.7071067811865476, 0.7071067811865476],\n"), std::string::npos) << text;
+  MaskTable broken = with_filters(tension(0.5, 3));
+  broken.filters.pop_back();
+  EXPECT_THROW(validate(broken), Error);
+  broken = with_filters(tension(0.5, 3));
+  broken.filters[1].value[2].push_back(0);
+  EXPECT_THROW(validate(broken), Error);
+}
+
+// ---- The refinement matrix
+
+std::vector<double> times(const RefinementMatrix& matrix, const std::vector<double>& in, std::size_t dim) {
+  std::vector<double> out(matrix.sizes.size() * dim);
+  for (std::size_t i = 0; i < matrix.sizes.size(); ++i)
+    for (int e = matrix.offsets[i]; e < matrix.offsets[i] + matrix.sizes[i]; ++e)
+      for (std::size_t c = 0; c < dim; ++c)
+        out[i * dim + c] += matrix.weights[static_cast<std::size_t>(e)] *
+                            in[static_cast<std::size_t>(matrix.indices[static_cast<std::size_t>(e)]) * dim + c];
+  return out;
+}
+
+TEST(RefinementMatrix, RefinesAsTheKernelsDo) {
+  for (const MaskTable& table : {tension(0.5, 1), tension(-0.25, 4), many_digits()}) {
+    const RefinementMatrix matrix = refinement_matrix(table, 5);
+    std::vector<double> want = polygon;
+    double largest = 0;
+    for (const MaskRow& row : table.levels) {
+      std::vector<double> next(want.size() * static_cast<std::size_t>(table.arity));
+      step_closed<double>(Mask<double>{table.arity, row.lowest, row.value}, want, 2, next);
+      want = std::move(next);
+    }
+    for (const double x : polygon) largest = std::max(largest, std::abs(x));
+    const std::vector<double> got = times(matrix, polygon, 2);
+    ASSERT_EQ(got.size(), want.size());
+    for (std::size_t i = 0; i < got.size(); ++i)
+      EXPECT_NEAR(got[i], want[i], 2 * largest * std::strtod(matrix.error.c_str(), nullptr) + 1e-300);
+  }
+}
+
+TEST(RefinementMatrix, HasTheWeightsOfTheTableAndRefusesWhatIsNone) {
+  const RefinementMatrix matrix = refinement_matrix(tension(0.5, 1), 7);
+  const MaskRow row = tension(0.5, 1).levels[0];
+  EXPECT_EQ(matrix.sizes.size(), 14u);
+  EXPECT_EQ((std::vector<int>(matrix.indices.begin() + 1, matrix.indices.begin() + 5)), (std::vector<int>{0, 1, 2, 6}));
+  EXPECT_EQ(matrix.weights[1], row.value[4]);
+  EXPECT_EQ(matrix.weights[4], row.value[6]);
+  EXPECT_THROW(refinement_matrix(chaikin(), 7), Error);  // no level
+  EXPECT_THROW(refinement_matrix(tension(0.5, 1), 2), Error);
+  EXPECT_THROW(refinement_matrix(tension(0.5, 24), 100), Error);
+}
+
+TEST(Stencil, CompilesInCAndCppAndRefines) {
+  const Directory directory;
+  const MaskTable table = tension(0.5, 3);
+  TableOptions options;
+  options.points = 5;
+  options.prefix = "s";
+  write_file(directory / "stencil.h", write_table(table, "stencil", options));
+  write_file(directory / "main.c", R"(#include "stencil.h"
+#include "stencil.h"
+#include <stdio.h>
+int main(void)
+{
+    static const double in[] = {0, 0, 1, 0.1, 2, 1, 1, 3, 0, 2};
+    static double out[2 * S_ROWS];
+    size_t i;
+    s_apply(in, 2, out);
+    for (i = 0; i < 2 * S_ROWS; ++i) printf("%a\n", out[i]);
+    return 0;
+}
+)");
+  const std::string flags = " -O1 -ffp-contract=off -Wall -Wextra -Werror -pedantic -Wshadow '";
+  for (const char* compiler : {"gcc -std=c99", "g++ -x c++ -std=c++20"}) {
+    ASSERT_EQ(std::system((compiler + flags + (directory / "main.c") + "' -o '" + (directory / "run") + "' && '" +
+                           (directory / "run") + "' > '" + (directory / "out") + "'")
+                              .c_str()),
+              0);
+    EXPECT_EQ(read_file(directory / "out"), print_points(times(refinement_matrix(table, 5), polygon, 2))) << compiler;
+  }
+  options.prefix = "1x";
+  EXPECT_THROW(write_table(table, "stencil", options), Error);
+}
+
+TEST(MatrixMarket, CountsFromOne) {
+  TableOptions options;
+  options.points = 3;
+  std::string body;
+  const std::string text = write_table(with_filters(tension(1, 1)), "matrixmarket", options);
+  EXPECT_EQ(text.substr(0, text.find('\n')), "%%MatrixMarket matrix coordinate real general");
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at) + 1;
+    if (text[at] != '%') body += text.substr(at, end - at);
+    at = end;
+  }
+  // Three points: the outer two weights of the 4-point rule meet.
+  EXPECT_EQ(body.substr(0, body.find("\n3 ")), "6 3 12\n1 1 1\n2 1 0.5625\n2 2 0.5625\n2 3 -0.125");
+}
+
+TEST(Latex, EscapesAndBalances) {
+  const std::string text = write_table(many_digits(), "latex");
+  EXPECT_NE(text.find("exponential-bspline:space={\\char34}1, x * / "), std::string::npos) << text;
+  EXPECT_NE(text.find("$1 \\cdot 10^{-7}$"), std::string::npos) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '{'), std::count(text.begin(), text.end(), '}'));
+  MaskTable long_digits = many_digits();
+  long_digits.limit.text[0] = "0." + std::string(60, '3');
+  EXPECT_NE(write_table(long_digits, "latex").find("$0.33333333\\allowbreak 3333333333\\allowbreak"),
+            std::string::npos);
+}
+
+TEST(Glsl, RoundsToFloats) {
+  MaskTable table = tension(0.5, 2);
+  const std::string text = write_table(table, "glsl");
+  EXPECT_NE(text.find(shortest(table.levels[0].value[0]).substr(0, 5)), std::string::npos);
+  EXPECT_EQ(text.find(shortest(table.levels[0].value[0])), std::string::npos);
+  table.limit.value[0] = 1e300;
+  table.limit.text[0] = "1e300";
+  EXPECT_THROW(write_table(table, "glsl"), Error);
 }
 
 TEST(C, LiteralsRoundToTheDoublesAndKeepAllDigits) {

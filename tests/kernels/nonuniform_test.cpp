@@ -200,6 +200,33 @@ TEST(Nonuniform, ZeroLengthEdgesAreLimits) {
   }
 }
 
+/// Three points in one: the limit of three that move together, however they do.
+TEST(Nonuniform, ThreeCoincidingPoints) {
+  for (const KnotRule rule : rules) {
+    const auto refined = [&](double x, double y, double bend) {
+      return refine_knots(polygon({0, 0, 4 - x, 1 - y, 4 + bend * y, 1 - bend * x, 4 + x, 1 + y, 5, 3, 1, 4, -1, 2}),
+                          rule, 3, Boundary::closed);
+    };
+    const auto difference = [](const KnotPolygon<double>& a, const KnotPolygon<double>& b) {
+      double largest = 0;
+      for (std::size_t i = 0; i < a.points.size(); ++i)
+        largest = std::max(largest, std::abs(a.points[i] - b.points[i]));
+      return largest;
+    };
+    const KnotPolygon<double> limit = refined(0, 0, 0);
+    EXPECT_TRUE(finite(limit));
+    for (const auto& [x, y] : {std::pair(1.0, 0.0), std::pair(0.3, -0.8)}) {
+      EXPECT_LT(difference(refined(1e-12 * x, 1e-12 * y, 0), limit), 1e-5);
+      EXPECT_LT(difference(refined(1e-12 * x, 1e-12 * y, 2), limit), 1e-5);
+      EXPECT_GT(difference(refined(0.1 * x, 0.1 * y, 2), limit), 0.01);
+    }
+    // Five, and a polygon that is one point.
+    EXPECT_TRUE(finite(refine_knots(polygon({0, 0, 4, 1, 4, 1, 4, 1, 4, 1, 4, 1, 1, 4}), rule, 4, Boundary::closed)));
+    for (const double x : refine_knots(polygon({2, 2, 2, 2, 2, 2, 2, 2}), rule, 3, Boundary::closed).points)
+      EXPECT_EQ(x, 2);
+  }
+}
+
 TEST(Nonuniform, WhatCannotBeUsedIsNamed) {
   const auto refusal = [](KnotPolygon<double> p, Boundary boundary) -> std::string {
     try {

@@ -334,6 +334,43 @@ TEST(WriteFile, WholeOrNotAtAll) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST(WriteFile, PiecesAppearTogether) {
+  const Directory directory;
+  const std::string path = directory / "out.csv";
+  write_file(path, "old");
+  {
+    FileOutput file(path);
+    EXPECT_TRUE(file.whole());
+    file.write("new");
+    EXPECT_EQ(read_file(path), "old");
+  }  // not finished
+  EXPECT_EQ(read_file(path), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory.path()), {}), 1);
+  FileOutput file(path);
+  file.write("new");
+  file.write("er");
+  file.finish();
+  EXPECT_EQ(read_file(path), "newer");
+  EXPECT_FALSE(FileOutput("/dev/null").whole());
+}
+
+TEST(Points, PiecesAreTheWhole) {
+  PointSet points;
+  points.dim = 2;
+  points.columns = {"a", "b"};
+  for (int i = 0; i < 14; ++i) points.values.push_back(i / 7.0);
+  for (const PointFormat format : {PointFormat::csv, PointFormat::npy}) {
+    std::string joined = points_head(format, points.columns, 2, points.size());
+    const std::span<const double> values(points.values);
+    append_points(joined, format, values.first(6), 2);
+    append_points(joined, format, values.subspan(6), 2);
+    EXPECT_EQ(joined, points_to_bytes(points, format, true));
+    const double infinite[] = {0.0, HUGE_VAL};
+    EXPECT_THROW(append_points(joined, format, infinite, 2), Error);
+  }
+  EXPECT_THROW(points_head(PointFormat::obj, points.columns, 2, 7), Error);
+}
+
 TEST(WriteFile, ErrorsNameThePath) {
   const Directory directory;
   const auto io = Error::Kind::io;

@@ -421,11 +421,14 @@ TEST(Refiner, StreamedOutputHasTheSameBits) {
   const MaskTable table = tension(0.25, 9);
   Values expected = refine(points, 3, table, 8, Boundary::closed);
   expected = reference_closed(Mask<double>{2, -3, table.levels[8].value}, expected, 3);
-  ASSERT_GE(expected.size() * sizeof(double), detail::least_streamed_bytes);
-  Values room(expected.size() + 3);
-  for (std::size_t shift = 0; shift < 4; shift += 3) {  // aligned and not
+  Values room(expected.size() + 8);
+  detail::Cutting streamed;
+  streamed.stream = true;
+  for (std::size_t shift = 0; shift < 8; ++shift) {  // aligned to lines and to pairs, and not
     const std::span<double> out(room.data() + shift, expected.size());
-    Refiner<double>(table).refine(points, 3, 9, Boundary::closed, out);
+    Refiner<double> refiner(table);
+    refiner.set_cutting(streamed);
+    refiner.refine(points, 3, 9, Boundary::closed, out);
     expect_same_bits(Values(out.begin(), out.end()), expected);
   }
 }

@@ -57,7 +57,7 @@ TEST(Jeong2013, TheToroidalKnotTouchesItself) {
 TEST(Jeong2013, ThePageIsWhole) {
   const std::filesystem::path directory =
       std::filesystem::temp_directory_path() / ("twoscale-jeong2013-" + std::to_string(std::random_device{}()));
-  const Summary s = write_report(directory.string(), {});
+  const PaperSummary s = write_report(directory.string(), {});
   EXPECT_LT(s.largest_exact_deviation, 1e-13);
   EXPECT_EQ(s.exact_runs, 18);
   const std::string page = kernels::read_file(s.index);
@@ -66,8 +66,8 @@ TEST(Jeong2013, ThePageIsWhole) {
     EXPECT_NE(page.find("id=\"figure-" + std::to_string(figure) + "\""), std::string::npos) << figure;
   EXPECT_EQ(page.find("do not all"), std::string::npos);
   EXPECT_EQ(page.find("http://"), std::string::npos);
-  const auto numbers = nlohmann::json::parse(kernels::read_file((directory / "measurements.json").string()));
-  for (const auto& run : numbers["surfaces"]) {
+  const auto numbers = nlohmann::json::parse(kernels::read_file((directory / "report.json").string()));
+  for (const auto& run : numbers["figure-6"]) {
     if (!run.contains("way")) continue;
     const bool least = run["way"] == "one pair of the least frequencies";
     EXPECT_EQ(run["deviation"].get<double>() > 1e-3, least) << run;

@@ -78,6 +78,29 @@ void read_mask(Fields& fields, Certificate& certificate, Meter& meter) {
   certificate.symmetric = std::equal(n.begin(), n.end(), n.rbegin());
 }
 
+/// The mask is that of the rule on equal knots.
+void require_uniform_member(const Certificate& certificate, Meter& meter) {
+  const KnotRule& rule = *certificate.knots;
+  if (certificate.arity != 2 || !certificate.names.empty() || certificate.shift.numerator != 0)
+    throw Malformed("knots: a binary mask without variables and shift is expected");
+  const std::vector<Fraction> weights = uniform_weights(rule, meter);
+  const Mask& mask = certificate.mask;
+  const auto is = [&](long i, const Fraction& value) {  // a_i = value
+    const bool within = i >= mask.lowest && i <= mask.highest();
+    const Polynomial none;
+    const Polynomial& n = within ? mask.numerators[static_cast<std::size_t>(i - mask.lowest)] : none;
+    return meter.multiply(n.empty() ? Integer(0) : n.begin()->second, value.denominator) ==
+           meter.multiply(value.numerator, mask.denominator.begin()->second);
+  };
+  const long far = std::max({std::labs(mask.lowest), std::labs(mask.highest()), rule.reach()});
+  for (long i = -far; i <= far; ++i) {
+    const long h = (1 - i) / 2 - rule.lowest;  // odd i: the weight of p_{j+h} in f_{2j+1}
+    const bool weight = i % 2 != 0 && h >= 0 && h < static_cast<long>(weights.size());
+    if (!is(i, weight ? weights[static_cast<std::size_t>(h)] : Fraction{i == 0 ? 1 : 0, 1}))
+      throw Malformed("knots: on equal knots the rule is not that of the mask, at a_" + std::to_string(i));
+  }
+}
+
 Certificate read_certificate(Fields& fields, Meter& meter) {
   Certificate certificate;
   certificate.arity = static_cast<int>(fields.take_integer("arity", 2, 64));
@@ -88,6 +111,10 @@ Certificate read_certificate(Fields& fields, Meter& meter) {
   certificate.e = {numerator / divisor, certificate.shift.denominator / divisor};
   if (certificate.e.denominator > 1000) throw Malformed("shift: the denominator of (arity-1)*shift is beyond 1000");
   read_mask(fields, certificate, meter);
+  if (fields.next_is("knots")) {
+    certificate.knots = read_knot_rule(fields, meter);
+    require_uniform_member(certificate, meter);
+  }
   return certificate;
 }
 
@@ -138,6 +165,8 @@ Head read_head(Fields& fields, Meter& meter) {
   head.scheme = label(fields, "scheme");
   if (fields.next_is("matrices")) {
     head.subject = read_family(fields, meter);
+  } else if (fields.next_is("hermite")) {
+    head.subject = read_hermite(fields.take("hermite"), meter);
   } else if (fields.next_is("claims")) {
     head.subject = Standalone{};
   } else {

@@ -21,9 +21,10 @@ struct Kind {
   Finding (*of_mask)(const Context&, Fields&, bool);
   Finding (*of_family)(const FamilyContext&, Fields&, bool) = nullptr;
   Finding (*of_itself)(Meter&, Fields&, bool) = nullptr;  ///< states itself what it is about: in every document
+  Finding (*of_rules)(const HermiteContext&, Fields&, bool) = nullptr;
 };
 
-constexpr std::array<Kind, 18> kinds{{
+constexpr std::array<Kind, 28> kinds{{
     {"interpolatory", "definition", check_interpolatory},
     {"symmetric", "definition", check_symmetric},
     {"sum-rules", "definition", check_sum_rules},
@@ -40,12 +41,22 @@ constexpr std::array<Kind, 18> kinds{{
     {"jsr-family", "invariant-polytope", check_jsr_family},
     {"stability", "jia-wang", check_stability},
     {"nonstationary", "nonstationary", check_nonstationary},
+    {"knots-reproduces", "definition", check_knots_reproduces},
+    {"knots-support", "compact-support", check_knots_support},
+    {"junction", "schur-cohn", check_junction},
+    {"knots-continuity", "piecewise-uniform", check_knots_continuity},
     {"positivity", "", nullptr, nullptr, check_positivity},
     {"root-bound", "schur-cohn", nullptr, nullptr, check_root_bound},
+    {"bezier-form", "hermite-interpolation", nullptr, nullptr, check_bezier_form},
+    {"interpolant", "hermite-interpolation", nullptr, nullptr, nullptr, check_interpolant},
+    {"circle", "hermite-interpolation", nullptr, nullptr, nullptr, check_circle},
+    {"halves", "definition", nullptr, nullptr, nullptr, check_halves},
+    {"continuity", "hermite-halves", nullptr, nullptr, nullptr, check_hermite_continuity},
+    {"curvature", "hermite-halves", nullptr, nullptr, nullptr, check_curvature},
 }};
 
 /// What the claims of this document are about.
-using Subject = std::variant<Context, FamilyContext, Standalone>;
+using Subject = std::variant<Context, FamilyContext, HermiteContext, Standalone>;
 
 std::string_view required_theorem(const Kind& kind, const Value& claim, const Subject& subject) {
   if (!kind.theorem.empty()) return kind.theorem;
@@ -58,12 +69,14 @@ std::string_view required_theorem(const Kind& kind, const Value& claim, const Su
 
 bool is_about(const Kind& kind, const Subject& subject) {
   return kind.of_itself != nullptr || (std::holds_alternative<Context>(subject) && kind.of_mask != nullptr) ||
-         (std::holds_alternative<FamilyContext>(subject) && kind.of_family != nullptr);
+         (std::holds_alternative<FamilyContext>(subject) && kind.of_family != nullptr) ||
+         (std::holds_alternative<HermiteContext>(subject) && kind.of_rules != nullptr);
 }
 
 Finding find(const Kind& kind, const Subject& subject, Meter& meter, Fields& fields, bool proved) {
   if (kind.of_itself != nullptr) return kind.of_itself(meter, fields, proved);
   if (const auto* context = std::get_if<Context>(&subject)) return kind.of_mask(*context, fields, proved);
+  if (const auto* rules = std::get_if<HermiteContext>(&subject)) return kind.of_rules(*rules, fields, proved);
   return kind.of_family(std::get<FamilyContext>(subject), fields, proved);
 }
 
@@ -114,6 +127,11 @@ std::string head_line(const Certificate& certificate) {
   return text;
 }
 
+std::string head_line(const HermiteRules& rules) {
+  return "rules for vertices with " + std::to_string(rules.order) +
+         " derivatives and a parameter s, new ones in the middle: s = tan(sigma/8) at the mean sigma";
+}
+
 std::string head_line(const Family& family) {
   const std::string size = std::to_string(family.matrices.front().size);
   return std::to_string(family.matrices.size()) + " matrices B_0, B_1, ... of size " + size + "x" + size;
@@ -127,9 +145,13 @@ void check_claim(const Value& value, std::size_t number, const Subject& subject,
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == name; });
   if (kind == kinds.end()) throw Malformed(fields.path("claim") + ": unknown claim \"" + name.substr(0, 40) + "\"");
   if (!is_about(*kind, subject)) {
-    const bool matrices = std::holds_alternative<FamilyContext>(subject);
-    throw Malformed(fields.path("claim") + ": \"" + name + "\" is a claim about a mask, not about " +
-                    (matrices ? "matrices" : "what it states"));
+    const std::string own = std::holds_alternative<Context>(subject)          ? "a mask"
+                            : std::holds_alternative<FamilyContext>(subject)  ? "matrices"
+                            : std::holds_alternative<HermiteContext>(subject) ? "rules of vertices with derivatives"
+                                                                              : "what it states";
+    throw Malformed(fields.path("claim") + ": \"" + name + "\" is a claim about " +
+                    (kind->of_mask != nullptr ? "a mask" : "rules of vertices with derivatives") + ", not about " +
+                    own);
   }
   const std::string& verdict = fields.take_string("verdict");
   if (verdict != "proved" && verdict != "refuted") {
@@ -175,19 +197,26 @@ void check_document(std::string_view text, Report& report, Meter& meter) {
   report.status = Report::valid;
   const Certificate* certificate = std::get_if<Certificate>(&head.subject);
   const Family* family = std::get_if<Family>(&head.subject);
+  const HermiteRules* rules = std::get_if<HermiteRules>(&head.subject);
   report.lines.push_back("the label \"" + head.scheme + "\" is not checked: the claims are about " +
                          (certificate != nullptr ? "the mask in this file, whatever its name"
                           : family != nullptr    ? "the matrices in this file, whatever their name"
+                          : rules != nullptr     ? "the rules in this file, whatever their name"
                                                  : "what they state"));
   std::optional<Identities> identities;
   RadiusBounds radius;
+  HermiteFacts facts;
+  KnotFacts knots;
   std::optional<Subject> subject;
   if (certificate != nullptr) {
     report.lines.push_back(head_line(*certificate));
-    subject.emplace(Context{*certificate, identities.emplace(*certificate, meter), meter, radius});
+    subject.emplace(Context{*certificate, identities.emplace(*certificate, meter), meter, radius, knots});
   } else if (family != nullptr) {
     report.lines.push_back(head_line(*family));
     subject.emplace(FamilyContext{*family, meter});
+  } else if (rules != nullptr) {
+    report.lines.push_back(head_line(*rules));
+    subject.emplace(HermiteContext{*rules, meter, facts});
   } else {
     subject.emplace(Standalone{});
   }

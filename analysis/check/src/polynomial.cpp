@@ -127,6 +127,12 @@ void add_scaled(Polynomial& target, const Polynomial& p, const Integer& factor, 
   }
 }
 
+Polynomial product(const Polynomial& a, const Polynomial& b, Meter& meter) {
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : a) add_scaled(result, b, coefficient, monomial, meter);
+  return result;
+}
+
 std::optional<Polynomial> quotient(const Polynomial& p, const Polynomial& g, Meter& meter) {
   if (p.empty()) return Polynomial{};
   for (const auto& [monomial, coefficient] : p) meter.spend(term_work + words(coefficient));

@@ -8,7 +8,7 @@
 namespace twoscale::check {
 namespace {
 
-constexpr std::array<Theorem, 13> list{{
+constexpr std::array<Theorem, 17> list{{
     {"definition", "nothing beyond the definition",
      "The property is, by definition, the identity that was verified (interpolatory: a_{mj} = 1 for j = 0, else 0; "
      "symmetric about c: a_{2c-i} = a_i; sum rules of order N: for r < N the sums of i^r a_i over i = s mod m do not "
@@ -111,6 +111,41 @@ constexpr std::array<Theorem, 13> list{{
      "spectral radius JSR < m^{N-l}, l >= 0, then the level-dependent scheme converges, from every level on and for "
      "every v^0 > -1 for which no step has a pole, and its limits are C^l with a Hoelder exponent of at least N - "
      "log_m(JSR)."},
+    {"hermite-interpolation", "Hermite; a polynomial of degree < 2n is given by n data at each of two points",
+     "Where B is not 0, the functions x^j/B^q, j < 2n, are determined by their values and first n-1 derivatives at two "
+     "points, and these can be prescribed: they are those of N/B^q, N a polynomial of degree < 2n. So a linear rule "
+     "that maps the data of these 2n functions at two points to their data at a third one is the evaluation of this "
+     "interpolant there, and a curve N/B^q in Bezier form is known from its data at the ends. If C^2 + S^2 = B^{2q} "
+     "and the degrees allow it, (C, S)/B^q is an arc of a circle that is its own interpolant."},
+    {"hermite-halves", "elementary; reports/hermite2010/tension.md (Lemmas 1 to 3 and what follows from them)",
+     "Let every step evaluate the interpolant of the data of the ends, p_i being k^i times the i-th derivative in x, k "
+     "> 0, on an interval in x, at its middle, sigma = 4 atan(x). If the intervals of the two halves of an edge are "
+     "the halves of its interval, the interpolants of the halves are that of the edge: it is the limit, so all edges "
+     "together are a curve in C^d, d the number of derivatives, with c^{(i)} = p_i/k^i at the vertices. If not, let "
+     "d = 2, 1 and x be among the functions, and H = l (1 + e l + O(l^2)) the length of the interval of a half, l that "
+     "of the half of the interval, in "
+     "x, e = e_L for the left and e_R for the right half, continuous functions of the parameter; the steps tend to 0 "
+     "like 2^{-n}, and the intervals stay where B and the denominators are not 0. The interpolant read on an interval "
+     "of length l (1 + e l) in place of l has its second derivative changed by -e c' B''(y) + O(l), B(y) = 10 y^3 - "
+     "15 y^4 + 6 y^5, y from 0 to 1. Then the limit is C^1 in x; p_2 has one-sided limits along the neighbours of a "
+     "vertex, and the right one minus the left one is -k (120/7)(e_L + e_R) p_1; along alternating halves p_2 changes "
+     "in two steps by k (40/9)(e_L - e_R) p_1 up to a summable error. Where the jump is not 0 the limit is not C^2, in "
+     "x or in "
+     "any regular C^2 parameter; but (p_1 x p_2)/|p_1|^3 converges uniformly to the curvature of the limit, which is "
+     "continuous where p_1 != 0, and at the vertices is that of their data."},
+    {"compact-support", "Cavaretta-Dahmen-Micchelli 1991",
+     "If the points -l..h are the only ones that are not 0, a step leaves at most the points -(2 l + 2 b - 1)..2 h + 1 "
+     "- "
+     "2 a, where the rule reads p_{i+a}, ..., p_{i+b} in the edge i. So after k steps the data 1 at x_0 end at (2^k - "
+     "1)(1 - 2 b) and (2^k - 1)(1 - 2 a), within the knots x_{1-2b} and x_{1-2a}. The basic limit function of a mask "
+     "a_l, ..., a_h, a_l and a_h not 0, that converges vanishes identically neither beside l nor beside h."},
+    {"piecewise-uniform", "Warren 1995; Dyn-Gregory-Levin 1995; the argument in full in docs/nonuniform.md",
+     "A scheme keeps the points and reads finitely many neighbours; intervals are halved at every step, and edge "
+     "parameters at rest are those of all edges but the two at a vertex of the data. Between the vertices it is "
+     "the scheme on equal knots from some level on, at a vertex one matrix M acts at all levels. Let the mask on equal "
+     "knots have sum rules of order N and a remainder of joint spectral radius less than 2^{N-l}, the scheme reproduce "
+     "polynomials of degree at most l on all knots, and all eigenvalues of M but the simple 1, 1/2, ..., 2^-l be "
+     "smaller than 2^-l in modulus. Then it converges uniformly and its limits are C^l there."},
 }};
 
 }  // namespace

@@ -40,6 +40,15 @@ void check_row(const MaskTable& table, const std::string& where, const MaskRow& 
   check_numbers(table, where + " (extension)", row.extension_text, row.extension);
 }
 
+void check_filters(const MaskTable& table, const FilterRow& row) {
+  const std::size_t length = table.filters[0].text[0].size();
+  for (std::size_t f = 0; f < 4; ++f) {
+    if (length == 0 || row.text[f].size() != length || row.value[f].size() != length)
+      reject(table, "filters must not be empty and must have one length");
+    check_numbers(table, "filters", row.text[f], row.value[f]);
+  }
+}
+
 }  // namespace
 
 void validate(const MaskTable& table) {
@@ -49,6 +58,9 @@ void validate(const MaskTable& table) {
   parse_shift(table.shift);
   for (std::size_t k = 0; k < table.levels.size(); ++k) check_row(table, "level " + std::to_string(k), table.levels[k]);
   check_row(table, "limit", table.limit);
+  if (!table.filters.empty() && table.filters.size() != table.levels.size() + 1)
+    reject(table, "filter banks must be those of all levels and of the limit");
+  for (const FilterRow& row : table.filters) check_filters(table, row);
 }
 
 }  // namespace twoscale::kernels

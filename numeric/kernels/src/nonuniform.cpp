@@ -13,6 +13,8 @@ namespace detail {
 
 void fail_knots(const std::string& message) { throw Error(Error::Kind::bad_input, message); }
 
+std::string number(double value) { return shortest(value); }
+
 }  // namespace detail
 
 KnotRule parse_knot_rule(std::string_view text) {
@@ -58,22 +60,25 @@ std::optional<std::size_t> column(const PointSet& points, std::string_view name)
 
 }  // namespace
 
-PointSet refine_on_knots(const PointSet& points, KnotRule rule, const KnotOptions& options) {
-  const auto lambda = column(points, "lambda");
-  const auto d = column(points, "d");
-  const auto tag = column(points, "tag");
-  std::vector<std::size_t> coordinates;
-  for (std::size_t c = 0; c < points.dim; ++c)
-    if (c != lambda && c != d && c != tag) coordinates.push_back(c);
-  if (coordinates.empty()) detail::fail_knots("the points have no coordinates");
+KnotColumns knot_columns(const PointSet& points, const KnotOptions& options) {
+  KnotColumns c{{}, column(points, "lambda"), column(points, "d"), column(points, "tag")};
+  for (std::size_t i = 0; i < points.dim; ++i)
+    if (i != c.lambda && i != c.d && i != c.tag) c.coordinates.push_back(i);
+  if (c.coordinates.empty()) detail::fail_knots("the points have no coordinates");
   if (std::ldexp(static_cast<double>(points.size()), options.levels) > most_points)
     detail::fail_knots("too many points would come out: " + std::to_string(points.size()) + " points, " +
                        std::to_string(options.levels) + " levels");
   const bool given = options.parametrization == Parametrization::given;
-  if (given && !d) detail::fail_knots("the points have no column d of knot intervals");
+  if (given && !c.d) detail::fail_knots("the points have no column d of knot intervals");
   if (given && options.reparametrize)
     detail::fail_knots("given knot intervals cannot be taken from the points at every level");
+  return c;
+}
 
+PointSet refine_on_knots(const PointSet& points, KnotRule rule, const KnotOptions& options) {
+  const KnotColumns columns = knot_columns(points, options);
+  const auto& [coordinates, lambda, d, tag] = columns;
+  const bool given = options.parametrization == Parametrization::given;
   KnotPolygon<double> p;
   p.dim = coordinates.size();
   p.closed = options.boundary == Boundary::closed;
@@ -86,17 +91,7 @@ PointSet refine_on_knots(const PointSet& points, KnotRule rule, const KnotOption
     if (given) p.d.push_back(value(e, *d));
   }
   if (!given) p.d = knot_intervals(p.points, p.dim, p.closed, options.parametrization);
-  p.tagged.assign(n, 0);
-  if (tag) {
-    for (std::size_t j = 0; j < n; ++j) {
-      if (value(j, *tag) != 0 && value(j, *tag) != 1)
-        detail::fail_knots("a tag is neither 0 nor 1 in row " + std::to_string(j + 1) + ": " +
-                           shortest(value(j, *tag)));
-      p.tagged[j] = value(j, *tag) != 0 ? 1 : 0;
-    }
-  } else {
-    p.tagged = default_tags(p);
-  }
+  p.tagged = tags_of(points, columns, p);
   validate(p, rule, options.boundary);
 
   for (int k = 0; k < options.levels; ++k) {

@@ -18,6 +18,9 @@ namespace twoscale::kernels::npy {
 /// dictionary after "# " (NumPy reads the header as a Python literal, so this is allowed); one line of ASCII.
 std::string preamble(const std::string& descr, const std::string& shape, const std::string& comment = {});
 
+/// The preamble of `count` points of `dim` doubles.
+std::string head(std::size_t count, std::size_t dim);
+
 /// Appends the bytes of `value`, least significant first.
 template <class T>
 void append(std::string& out, T value) {

@@ -2,6 +2,7 @@
 // Points as CSV.
 #include <algorithm>
 
+#include "csv.hpp"
 #include "points_text.hpp"
 
 namespace twoscale::kernels {
@@ -59,14 +60,21 @@ PointSet parse_csv(std::string_view bytes, const std::string& name) {
   return points;
 }
 
+namespace csv {
+
+std::string head(const std::vector<std::string>& columns, std::size_t dim) {
+  std::string out;
+  const std::vector<std::string> names = columns.empty() ? default_columns(dim) : columns;
+  for (std::size_t c = 0; c < dim; ++c) out += (c == 0 ? "" : ",") + names[c];
+  return out + '\n';
+}
+
+}  // namespace csv
+
 std::string to_csv(const PointSet& points, bool header) {
   text::check_points(points, "csv");
   std::string out;
-  if (header) {
-    const std::vector<std::string> columns = points.columns.empty() ? default_columns(points.dim) : points.columns;
-    for (std::size_t c = 0; c < points.dim; ++c) out += (c == 0 ? "" : ",") + columns[c];
-    out += '\n';
-  }
+  if (header) out = csv::head(points.columns, points.dim);
   for (std::size_t i = 0; i < points.values.size(); ++i) {
     out += text::printed(points, i);
     out += (i + 1) % points.dim == 0 ? '\n' : ',';

@@ -3,8 +3,12 @@
 #include "twoscale/kernels/points_io.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "csv.hpp"
+#include "npy.hpp"
 #include "twoscale/kernels/error.hpp"
+#include "twoscale/kernels/number_text.hpp"
 #include "twoscale/kernels/write_file.hpp"
 
 namespace twoscale::kernels {
@@ -58,6 +62,27 @@ std::string points_to_bytes(const PointSet& points, PointFormat format, bool clo
     case PointFormat::svg: return to_svg(points, closed);
   }
   throw Error(Error::Kind::bad_input, "unknown points format");
+}
+
+std::string points_head(PointFormat format, const std::vector<std::string>& columns, std::size_t dim,
+                        std::size_t count) {
+  if (!in_pieces(format)) throw Error(Error::Kind::bad_input, "only csv and npy are written in pieces");
+  return format == PointFormat::csv ? csv::head(columns, dim) : npy::head(count, dim);
+}
+
+void append_points(std::string& out, PointFormat format, std::span<const double> values, std::size_t dim) {
+  if (!in_pieces(format)) throw Error(Error::Kind::bad_input, "only csv and npy are written in pieces");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) {
+      throw Error(Error::Kind::bad_input, "a number is not finite: " + quoted(shortest(values[i])));
+    }
+    if (format == PointFormat::npy) {
+      npy::append(out, values[i]);
+    } else {
+      out += shortest(values[i]);
+      out += (i + 1) % dim == 0 ? '\n' : ',';
+    }
+  }
 }
 
 void write_points(const std::string& path, const PointSet& points, bool closed) {

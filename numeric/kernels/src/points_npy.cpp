@@ -225,10 +225,17 @@ PointSet parse_npy(std::string_view bytes, const std::string& name) {
   return std::move(array.points);
 }
 
+namespace npy {
+
+std::string head(std::size_t count, std::size_t dim) {
+  return preamble("'<f8'", std::string("(") + std::to_string(count) + ", " + std::to_string(dim) + ")");
+}
+
+}  // namespace npy
+
 std::string to_npy(const PointSet& points) {
   text::check_points(points, "npy");
-  std::string out = npy::preamble(
-      "'<f8'", std::string("(") + std::to_string(points.size()) + ", " + std::to_string(points.dim) + ")");
+  std::string out = npy::head(points.size(), points.dim);
   out.reserve(out.size() + 8 * points.values.size());
   for (const double value : points.values) npy::append(out, value);
   return out;

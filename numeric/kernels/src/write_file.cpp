@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "twoscale/kernels/error.hpp"
 
@@ -22,20 +23,80 @@ namespace {
   throw Error(Error::Kind::io, std::string(what) + " " + quoted(path, PATH_MAX) + ": " + std::strerror(code));
 }
 
-// An open descriptor, and a temporary file that is removed unless it was renamed.
-class Output {
+struct Closer {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+}  // namespace
+
+// The standard output, or an open descriptor with a temporary file that is removed unless it was renamed.
+class FileOutput::Target {
  public:
-  explicit Output(std::string path) : path_(std::move(path)) {}
-  Output(const Output&) = delete;
-  Output& operator=(const Output&) = delete;
-  ~Output() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  Target(const std::string& path, WriteOptions options) : path_(path), options_(options) {
+    if (path == "-") return;
+    if (path.empty()) fail("cannot write", path, ENOENT);
+    if (path.find('\0') != std::string::npos) fail("cannot write", path, EINVAL);
+    struct stat status {};
+    const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (!exists && errno != ENOENT) fail("cannot write", path, errno);
+    if (exists && S_ISDIR(status.st_mode)) fail("cannot write", path, EISDIR);
+    if (exists && !S_ISREG(status.st_mode)) {
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+      if (descriptor_ < 0) fail("cannot write", path_, errno);
+      return;
+    }
+    if (exists) {
+      if (::access(path.c_str(), W_OK) != 0) fail("cannot write", path, errno);
+      const std::unique_ptr<char, decltype(&std::free)> resolved(::realpath(path.c_str(), nullptr), &std::free);
+      if (!resolved) fail("cannot write", path, errno);
+      path_ = resolved.get();
+    }
+    open_beside();
+    if (exists && ::fchmod(descriptor_, status.st_mode & 07777) != 0) {
+      const int code = errno;
+      discard();
+      fail("cannot write", path_, code);
+    }
+  }
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+  ~Target() { discard(); }
+
+  bool whole() const { return !temporary_.empty(); }
+
+  void write(std::string_view bytes) {
+    if (descriptor_ < 0) {
+      errno = 0;
+      if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) fail_standard();
+      return;
+    }
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+      if (written < 0) {
+        if (errno == EINTR) continue;
+        fail("cannot write", path_, errno);
+      }
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
   }
 
-  void open_in_place() {
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail("cannot write", path_, errno);
+  void finish() {
+    if (descriptor_ < 0) {
+      errno = 0;
+      if (std::fflush(stdout) != 0) fail_standard();
+      return;
+    }
+    if (options_.sync && whole() && ::fsync(descriptor_) != 0) fail("cannot write", path_, errno);
+    const int descriptor = std::exchange(descriptor_, -1);
+    if (::close(descriptor) != 0) fail("cannot write", path_, errno);
+    if (!whole()) return;
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot write", path_, errno);
+    temporary_.clear();
+  }
+
+ private:
+  [[noreturn]] static void fail_standard() {
+    throw Error(Error::Kind::io, std::string("cannot write the standard output: ") + std::strerror(errno));
   }
 
   void open_beside() {
@@ -54,84 +115,30 @@ class Output {
     fail("cannot write", path_, errno);
   }
 
-  void keep_mode(mode_t mode) {
-    if (::fchmod(descriptor_, mode & 07777) != 0) fail("cannot write", path_, errno);
-  }
-
-  void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0) {
-        if (errno == EINTR) continue;
-        fail("cannot write", path_, errno);
-      }
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-
-  void sync() {
-    if (::fsync(descriptor_) != 0) fail("cannot write", path_, errno);
-  }
-
-  void close() {
-    const int descriptor = descriptor_;
+  void discard() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
     descriptor_ = -1;
-    if (::close(descriptor) != 0) fail("cannot write", path_, errno);
-  }
-
-  void rename() {
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot write", path_, errno);
     temporary_.clear();
   }
 
- private:
   std::string path_;
+  WriteOptions options_;
   std::string temporary_;
-  int descriptor_ = -1;
+  int descriptor_ = -1;  // -1: the standard output
 };
 
-struct Closer {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-}  // namespace
+FileOutput::FileOutput(const std::string& path, WriteOptions options)
+    : target_(std::make_unique<Target>(path, options)) {}
+FileOutput::~FileOutput() = default;
+bool FileOutput::whole() const { return target_->whole(); }
+void FileOutput::write(std::string_view bytes) { target_->write(bytes); }
+void FileOutput::finish() { target_->finish(); }
 
 void write_file(const std::string& path, std::string_view bytes, WriteOptions options) {
-  if (path == "-") {
-    errno = 0;
-    const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
-    if (std::fflush(stdout) != 0 || !whole) {
-      throw Error(Error::Kind::io, std::string("cannot write the standard output: ") + std::strerror(errno));
-    }
-    return;
-  }
-  if (path.empty()) fail("cannot write", path, ENOENT);
-  if (path.find('\0') != std::string::npos) fail("cannot write", path, EINVAL);
-  struct stat status {};
-  const bool exists = ::stat(path.c_str(), &status) == 0;
-  if (!exists && errno != ENOENT) fail("cannot write", path, errno);
-  if (exists && S_ISDIR(status.st_mode)) fail("cannot write", path, EISDIR);
-  if (exists && !S_ISREG(status.st_mode)) {
-    Output device(path);
-    device.open_in_place();
-    device.write(bytes);
-    device.close();
-    return;
-  }
-  std::string target = path;
-  if (exists) {
-    if (::access(path.c_str(), W_OK) != 0) fail("cannot write", path, errno);
-    const std::unique_ptr<char, decltype(&std::free)> resolved(::realpath(path.c_str(), nullptr), &std::free);
-    if (!resolved) fail("cannot write", path, errno);
-    target = resolved.get();
-  }
-  Output file(target);
-  file.open_beside();
-  if (exists) file.keep_mode(status.st_mode);
+  FileOutput file(path, options);
   file.write(bytes);
-  if (options.sync) file.sync();
-  file.close();
-  file.rename();
+  file.finish();
 }
 
 std::string read_file(const std::string& path) {

@@ -72,6 +72,8 @@ class Binder {
     result_.description.emplace_back(name, text);
   }
 
+  Binding take() { return std::move(result_); }
+
   Binding finish() {
     for (const Parameter& p : scheme_.parameters) {
       const bool level = p.scope == Parameter::Scope::level;
@@ -91,7 +93,7 @@ class Binder {
         bad_input("a value is missing, give it with --at", p.name);
       }
     }
-    return std::move(result_);
+    return take();
   }
 
  private:
@@ -196,14 +198,28 @@ class Binder {
 
 }  // namespace
 
-Binding bind(const Scheme& scheme, const std::optional<std::string>& v0, const std::optional<std::string>& t,
-             const std::vector<std::pair<std::string, std::string>>& at) {
+namespace {
+
+Binder with_given(const Scheme& scheme, const std::optional<std::string>& v0, const std::optional<std::string>& t,
+                  const std::vector<std::pair<std::string, std::string>>& at) {
   if (v0 && t) bad_input("--v0 and --t both set the frequency", *t);
   Binder binder(scheme);
   if (v0) binder.single("v0", trimmed(*v0));
   if (t) binder.single("t", trimmed(*t));
   for (const auto& [name, text] : at) binder.named(trimmed(name), trimmed(text));
-  return binder.finish();
+  return binder;
+}
+
+}  // namespace
+
+Binding bind(const Scheme& scheme, const std::optional<std::string>& v0, const std::optional<std::string>& t,
+             const std::vector<std::pair<std::string, std::string>>& at) {
+  return with_given(scheme, v0, t, at).finish();
+}
+
+Binding bind_some(const Scheme& scheme, const std::optional<std::string>& v0, const std::optional<std::string>& t,
+                  const std::vector<std::pair<std::string, std::string>>& at) {
+  return with_given(scheme, v0, t, at).take();
 }
 
 }  // namespace twoscale::lowering

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <flint/fmpz_poly.h>
-#include <gmp.h>
 
 #include <optional>
 #include <vector>

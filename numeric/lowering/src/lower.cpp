@@ -248,7 +248,7 @@ class Lowering {
   bool rounded_double_of(const Ball& x, double& d) {
     if (x.contains_zero()) return false;
     arb_set_round(short_.raw(), x.raw(), 128);
-    return rounded_double(short_, d);
+    return rounded_double(short_, d) || rounded_double(x, d);
   }
 
   long digit_bits() const {

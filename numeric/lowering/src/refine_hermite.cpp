@@ -55,7 +55,6 @@ Real operator-(const Real& a) {
 }
 Real sqrt(const Real& a) { return apply(a, arb_sqrtpos); }
 Real sin(const Real& a) { return apply(a, arb_sin); }
-Real cos(const Real& a) { return apply(a, arb_cos); }
 Real tan(const Real& a) { return apply(a, arb_tan); }
 Real atan2(const Real& y, const Real& x) { return combine(y, x, arb_atan2); }
 double estimate(const Real& a) { return arf_get_d(arb_midref(a.value.raw()), ARF_RND_NEAR); }
@@ -63,6 +62,16 @@ bool negligible(const Real& x, const Real& scale) {
   Ball bound;
   arb_mul_2exp_si(bound.raw(), scale.value.raw(), -(x.bits - 16));
   return arf_cmpabs(arb_midref(x.value.raw()), arb_midref(bound.raw())) <= 0;
+}
+
+bool is_less(const Real& a, const Real& b, const char* what) {
+  if (arb_lt(a.value.raw(), b.value.raw()) != 0) return true;
+  if (arb_ge(a.value.raw(), b.value.raw()) != 0) return false;
+  throw kernels::HermiteUndecided(what);
+}
+Real widened(Real x, const Real& error) {
+  arb_add_error(x.value.raw(), error.value.raw());
+  return x;
 }
 
 kernels::HermiteRuleTension kernel_tension(const Scheme& scheme) {
@@ -121,13 +130,20 @@ Layout layout(const kernels::PointSet& points) {
   return at;
 }
 
-// The last vertex repeats the first one.
+// The last vertex repeats the first one: as nearly as two points count as equal, its derivatives to 1e-9.
 bool returns(const kernels::PointSet& points, const Layout& at) {
   const std::size_t last = points.size() - 1;
   if (last == 0) return false;
-  for (const auto* list : {&at.f, &at.p, &at.r})
-    for (const std::size_t c : *list)
-      if (points.values[c] != points.values[last * points.dim + c]) return false;
+  const auto gap = [&](const std::vector<std::size_t>& columns, std::size_t row) {
+    double square = 0;
+    for (const std::size_t c : columns) square += std::pow(points.values[c] - points.values[row * points.dim + c], 2);
+    return std::sqrt(square);
+  };
+  for (const auto* list : {&at.f, &at.p, &at.r}) {
+    double size = 0;
+    for (std::size_t i = 1; i < last; ++i) size = std::max(size, gap(*list, i));
+    if (!(gap(*list, last) <= (list == &at.f ? 1e-14 : 1e-9) * size)) return false;
+  }
   return true;
 }
 
@@ -226,21 +242,27 @@ HermiteResult refine_hermite(const Scheme& scheme, const std::optional<ExactReal
     bad_input("digits must lie between 17 and 10000", std::to_string(options.digits));
   // Errors of r grow like 4^levels.
   long guard = 20 + static_cast<long>(options.levels);
+  std::string open;  // what the last attempt could not decide
   for (int attempt = 1; attempt <= most_attempts; ++attempt, guard = std::max(3 * guard, options.digits + guard)) {
     const long bits = static_cast<long>(std::ceil(static_cast<double>(options.digits + guard) * 3.3219281)) + 32;
     const auto read = [&](std::size_t i) {
       return Real(exact_decimal(i < points.tokens.size() ? points.tokens[i] : kernels::shortest(points.values[i])),
                   bits);
     };
-    const kernels::HermiteCurve<Real> curve(read_data<Real>(points, in, n, options.closed, read),
-                                            Real(w->enclose(bits), bits), tension);
-    if (has_pole) result.first_pole = curve.first_pole();
-    const std::vector<Real> fine = in_columns(curve.refined(options.levels), out, columns);
-    std::vector<const Ball*> numbers;
-    for (const Real& x : fine) numbers.push_back(&x.value);
-    if (round_all(numbers, 1, bits, options.digits, result.points)) return result;
+    try {
+      const kernels::HermiteCurve<Real> curve(read_data<Real>(points, in, n, options.closed, read),
+                                              Real(w->enclose(bits), bits), tension);
+      if (has_pole) result.first_pole = curve.first_pole();
+      const std::vector<Real> fine = in_columns(curve.refined(options.levels), out, columns);
+      std::vector<const Ball*> numbers;
+      for (const Real& x : fine) numbers.push_back(&x.value);
+      if (round_all(numbers, 1, bits, options.digits, result.points)) return result;
+      open = "how the last digit of a refined number is rounded";
+    } catch (const kernels::HermiteUndecided& e) {
+      open = std::string("whether ") + e.what();
+    }
   }
-  throw Error(Error::Kind::undecided, "cannot decide the last digit of a refined number");
+  throw Error(Error::Kind::undecided, "cannot decide with the precision tried " + open);
 }
 
 kernels::PointSet points_alone(const kernels::PointSet& points) {

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "digits.hpp"
 #include "rounding.hpp"
+#include "twoscale/kernels/chord.hpp"
 #include "twoscale/kernels/edge_refine.hpp"
 #include "twoscale/kernels/number_text.hpp"
+#include "twoscale/lowering/limit_stencil.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::lowering {
@@ -27,11 +30,13 @@ void check_request(const Scheme& scheme, const kernels::PointSet& points, const 
     bad_input("the scheme has no function space that could extend an open polygon", scheme.id);
 }
 
+constexpr std::size_t piece_values = std::size_t{1} << 20;  // of refined_rows
+
 LowerOptions lowering_options(const RefineOptions& options, long digits) {
   return {options.levels, digits, options.boundary == kernels::Boundary::space, false};
 }
 
-void check_finite(const std::vector<double>& values) {
+void check_finite(std::span<const double> values) {
   for (const double x : values)
     if (!std::isfinite(x)) bad_input("a refined number does not fit a double", kernels::shortest(x));
 }
@@ -106,10 +111,112 @@ kernels::PointSet refine_points(const Scheme& scheme, const Binding& binding, co
   kernels::PointSet out;
   out.columns = points.columns;
   out.dim = points.dim;
-  out.values = kernels::refine(points.values, points.dim, lower(scheme, binding, lowering_options(options, 0)), levels,
-                               options.boundary);
+  kernels::Refiner<double> refiner(lower(scheme, binding, lowering_options(options, 0)));
+  refiner.set_threads(options.threads);
+  out.values = refiner.refine(points.values, points.dim, levels, options.boundary);
   check_finite(out.values);
   return out;
+}
+
+namespace {
+
+// |c' x c''|/|c'|^3, signed in the plane.
+double curvature_of(const double* first, const double* second, std::size_t dim) {
+  const double x = dim == 3 ? first[1] * second[2] - first[2] * second[1] : 0;
+  const double y = dim == 3 ? first[2] * second[0] - first[0] * second[2] : 0;
+  const double z = first[0] * second[1] - first[1] * second[0];
+  const double speed = dim == 3 ? std::hypot(first[0], first[1], first[2]) : std::hypot(first[0], first[1]);
+  if (speed == 0) bad_input("the curvature is not defined where the derivative is", "0");
+  return (dim == 3 ? std::hypot(x, y, z) : z) / speed / speed / speed;
+}
+
+// The refiners of one polygon whose results stand side by side.
+struct Rows {
+  std::vector<kernels::Refiner<double>> refiners;  // points, first and second derivatives
+  std::vector<std::vector<double>> pieces;
+  std::vector<double> joined;
+  int levels = 0;
+  bool derivative = false;
+  bool curvature = false;
+
+  void for_each(const kernels::PointSet& points, kernels::Boundary boundary, std::size_t count,
+                const std::function<void(std::span<const double>)>& take) {
+    const std::size_t dim = points.dim;
+    const std::size_t at_once = std::min(count, std::max<std::size_t>(1, piece_values / dim));
+    pieces.resize(refiners.size());
+    for (std::size_t row = 0; row < count; row += at_once) {
+      const std::size_t rows = std::min(at_once, count - row);
+      for (std::size_t i = 0; i < refiners.size(); ++i) {
+        pieces[i].resize(rows * dim);
+        refiners[i].refine_rows(points.values, dim, levels, boundary, row, pieces[i]);
+      }
+      const std::vector<double>& all = refiners.size() == 1 ? pieces[0] : side_by_side(rows, dim);
+      check_finite(all);
+      take(all);
+    }
+  }
+
+  const std::vector<double>& side_by_side(std::size_t rows, std::size_t dim) {
+    joined.clear();
+    for (std::size_t j = 0; j < rows; ++j) {
+      const auto append = [&](const std::vector<double>& from) {
+        joined.insert(joined.end(), from.begin() + static_cast<std::ptrdiff_t>(j * dim),
+                      from.begin() + static_cast<std::ptrdiff_t>((j + 1) * dim));
+      };
+      append(pieces[0]);
+      if (derivative) append(pieces[1]);
+      if (curvature) joined.push_back(curvature_of(&pieces[1][j * dim], &pieces[2][j * dim], dim));
+    }
+    return joined;
+  }
+};
+
+}  // namespace
+
+RefinedRows refined_rows(const Scheme& scheme, const Binding& binding, const kernels::PointSet& points,
+                         const RefineOptions& options) {
+  if (options.digits != 0) bad_input("rows are refined in doubles", std::to_string(options.digits) + " digits");
+  if ((options.derivative || options.curvature) && !options.limit)
+    bad_input("derivatives and curvature are those of the", "limit");
+  if (options.curvature && points.dim != 2 && points.dim != 3)
+    bad_input("a curvature needs 2 or 3 columns, not " + std::to_string(points.dim), "curvature");
+  check_request(scheme, points, options);
+  LowerOptions lowering = lowering_options(options, 0);
+  if (options.chord) lowering.levels += 24;  // the bound goes on beyond the last level
+  const kernels::MaskTable table = lower(scheme, binding, lowering);
+  const kernels::Refiner<double> plain(table);
+  const auto rows = std::make_shared<Rows>();
+  RefinedRows result;
+  result.levels = options.levels;
+  if (options.chord) {
+    kernels::Refiner<double> refiner = plain;
+    refiner.set_threads(options.threads);
+    result.levels = static_cast<unsigned>(kernels::levels_for_chord(
+        refiner, table, points.values, points.dim, static_cast<int>(options.levels), options.boundary, *options.chord));
+  }
+  rows->levels = static_cast<int>(result.levels);
+  rows->derivative = options.derivative;
+  rows->curvature = options.curvature;
+  const unsigned orders = options.curvature ? 3 : options.derivative ? 2 : 1;
+  rows->refiners.assign(orders, plain);
+  for (auto& refiner : rows->refiners) refiner.set_threads(options.threads);
+  if (options.limit) {
+    const auto stencils = limit_stencils(scheme, binding, result.levels, orders);
+    for (unsigned d = 0; d < orders; ++d) rows->refiners[d].set_finish(stencils[d]);
+  }
+  result.columns = points.columns;
+  if (options.derivative)
+    for (const std::string& name : points.columns) result.columns.push_back("d" + name);
+  if (options.curvature) result.columns.emplace_back("curvature");
+  for (std::size_t i = 0; i < result.columns.size(); ++i)
+    if (std::find(result.columns.begin() + static_cast<std::ptrdiff_t>(i) + 1, result.columns.end(),
+                  result.columns[i]) != result.columns.end())
+      bad_input("two columns would have the name", result.columns[i]);
+  result.count = rows->refiners[0].output(points.size(), rows->levels, options.boundary).count;
+  result.for_each = [rows, &points, boundary = options.boundary, count = result.count](const auto& take) {
+    rows->for_each(points, boundary, count, take);
+  };
+  return result;
 }
 
 bool has_edge_tension(const kernels::PointSet& points) { return column_of_tension(points) < points.columns.size(); }

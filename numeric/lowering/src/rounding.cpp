@@ -179,24 +179,7 @@ bool DecimalRounder::round(const Ball& x, Decimal& result) {
   // The lead: 2^{size-1} <= |mid| < 2^size.
   const bool negative = arf_sgn(mid) < 0;
   const bool moderate = size <= 60 && size > -4096 && digits_ > size / 3 + 1;
-  if (!moderate) {
-    // Far from 1: through a rational number of the right digits.
-    result.text = rounded_decimal(x, digits_);
-    if (result.text.empty()) return false;
-    const auto mark = result.text.find('e');
-    long e = mark == std::string::npos ? 0 : std::stol(result.text.substr(mark + 1));
-    if (mark == std::string::npos) {
-      const std::string plain = negative ? result.text.substr(1) : result.text;
-      const auto point = plain.find('.');
-      const auto first = plain.find_first_not_of("0.");
-      e = first < std::min(point, plain.size())
-              ? static_cast<long>(std::min(point, plain.size())) - 1 - static_cast<long>(first)
-              : static_cast<long>(point) - static_cast<long>(first);
-    }
-    result.last = e - digits_ + 1;
-    result.exact = false;
-    return true;
-  }
+  if (!moderate) return round_slowly(x, result);
   arf_t lead;
   arf_init(lead);
   arf_abs(lead, mid);
@@ -224,7 +207,30 @@ bool DecimalRounder::round(const Ball& x, Decimal& result) {
     }
     return inexact ? std::max(q, -static_cast<long>(64 * limbs)) + 1 : q;
   };
-  return try_exponents(load, log2_of_x, negative, result);
+  if (try_exponents(load, log2_of_x, negative, result)) return true;
+  // Two limbs below the last digit do not decide; where the ball knows more, all of it is asked.
+  const double needed = static_cast<double>(digits_) * log2_of_10 + 56;
+  return static_cast<double>(arb_rel_accuracy_bits(x.raw())) > needed && round_slowly(x, result);
+}
+
+// Through an integer of the right number of digits, whatever the size.
+bool DecimalRounder::round_slowly(const Ball& x, Decimal& result) const {
+  result.text = rounded_decimal(x, digits_);
+  if (result.text.empty()) return false;
+  const bool negative = result.text[0] == '-';
+  const auto mark = result.text.find('e');
+  long e = mark == std::string::npos ? 0 : std::stol(result.text.substr(mark + 1));
+  if (mark == std::string::npos) {
+    const std::string plain = negative ? result.text.substr(1) : result.text;
+    const auto point = plain.find('.');
+    const auto first = plain.find_first_not_of("0.");
+    e = first < std::min(point, plain.size())
+            ? static_cast<long>(std::min(point, plain.size())) - 1 - static_cast<long>(first)
+            : static_cast<long>(point) - static_cast<long>(first);
+  }
+  result.last = e - digits_ + 1;
+  result.exact = false;
+  return true;
 }
 
 Decimal rounded(const Rational& x, long digits) {

@@ -30,6 +30,7 @@ class DecimalRounder {
   bool round(const Fixed& x, Decimal& result);
 
  private:
+  bool round_slowly(const Ball& x, Decimal& result) const;
   template <class Load>
   bool try_exponents(const Load& load, double log2_of_x, bool negative, Decimal& result);
   template <class Load>

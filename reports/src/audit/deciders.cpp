@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "audit/arguments.hpp"
 #include "audit/formula.hpp"
 #include "twoscale/analysis/parameter_range.hpp"
 #include "twoscale/analysis/positivity.hpp"
@@ -20,41 +21,6 @@ using analysis::Box;
 using analysis::Decision;
 using Answer = analysis::Verdict;
 
-const std::vector<std::string>& list_at(const Arguments& a, const std::string& key) {
-  static const std::vector<std::string> none;
-  const auto at = a.find(key);
-  return at == a.end() ? none : at->second;
-}
-
-const std::string& text_at(const Arguments& a, const std::string& key) {
-  const auto& list = list_at(a, key);
-  if (list.size() != 1) bad_input("one value is expected for the key", key);
-  return list[0];
-}
-
-std::string joined(const std::vector<std::string>& list, const std::string& separator) {
-  std::string text;
-  for (const auto& s : list) text += (text.empty() ? "" : separator) + s;
-  return text;
-}
-
-// Runs one case after the other: the first that is refuted, else the first undecided, else proved.
-Outcome over_cases(const Arguments& a, const std::function<Outcome(const Counters&)>& one) {
-  Outcome last{Answer::proved, ""};
-  std::optional<Outcome> open;
-  const std::vector<std::string>& cases = list_at(a, "cases");
-  for (const Counters& c : all_cases(cases)) {
-    Outcome o = one(c);
-    if (!cases.empty() && o.verdict != Answer::proved) o.evidence = case_text(c) + ": " + o.evidence;
-    if (o.verdict == Answer::refuted) return o;
-    if (o.verdict == Answer::undecided && !open) open = o;
-    last = o;
-  }
-  if (open) return *open;
-  if (!cases.empty()) last.evidence = "in each case " + joined(cases, ", ") + ": " + last.evidence;
-  return last;
-}
-
 std::string short_text(const RationalFunction& f) {
   std::string text = f.to_string();
   return text.size() <= 160 ? text : text.substr(0, 150) + "... (" + std::to_string(text.size()) + " characters)";
@@ -63,12 +29,24 @@ std::string short_text(const RationalFunction& f) {
 // A small rational point where f is defined and not 0. Required: f is not the zero function.
 std::vector<std::pair<std::string, Rational>> point_off(const RationalFunction& f) {
   const std::vector<std::string> names = f.variables();
-  for (long start = 2;; ++start) {
-    std::vector<std::pair<std::string, Rational>> point;
-    long value = start;
-    for (const auto& name : names) point.emplace_back(name, Rational(value++));
+  std::vector<std::pair<std::string, Rational>> point;
+  for (const auto& name : names) point.emplace_back(name, Rational(static_cast<long>(2 + point.size())));
+  const auto good = [&] {
     const auto at = f.evaluate(point);
-    if (at && !at->is_zero()) return point;
+    return at && !at->is_zero();
+  };
+  if (good()) return point;
+  // All points of the grids {2..n}^k, n = 3, 4, ..: on a large one no polynomial but 0 vanishes.
+  for (long n = 3;; ++n) {
+    std::vector<long> digits(names.size(), 2);
+    for (;;) {
+      for (size_t i = 0; i < names.size(); ++i) point[i].second = Rational(digits[i]);
+      if (good()) return point;
+      size_t i = 0;
+      while (i < digits.size() && digits[i] == n) digits[i++] = 2;
+      if (i == digits.size()) break;
+      ++digits[i];
+    }
   }
 }
 
@@ -410,6 +388,13 @@ Outcome exponent(const Arguments& a) {
     // Logarithms: a zero is not proved by balls; the same expression is the same number.
     const bool same =
         d == Sign::zero || (r.hoelder.expression && *r.hoelder.expression == expanded(text_at(a, "exponent"), c));
+    if (same && !list_at(a, "attained").empty()) {
+      const std::string& wanted = text_at(a, "attained");
+      if (wanted != "yes" && wanted != "no") bad_input("attained: yes or no is expected, not", wanted);
+      if (!r.attained) return Outcome{Answer::undecided, text + "; whether it is attained is not known"};
+      return Outcome{*r.attained == (wanted == "yes") ? Answer::proved : Answer::refuted,
+                     text + (*r.attained ? ", attained" : ", not attained")};
+    }
     if (same) return Outcome{Answer::proved, text};
     if (d == Sign::unknown) return Outcome{Answer::undecided, text + "; equality with the printed one is not decided"};
     return Outcome{Answer::refuted, text};
@@ -468,7 +453,22 @@ const std::vector<Decider>& deciders() {
        {"scheme", "at", "parameter", "from", "to", "order", "closed", "cases"},
        {"order"},
        smooth_between},
-      {"exponent", "the exact Hölder exponent", {"scheme", "at", "exponent", "cases"}, {"exponent"}, exponent},
+      {"exponent",
+       "the exact Hölder exponent (attained: yes, the limits are in its class; no, in those below only)",
+       {"scheme", "at", "exponent", "attained", "cases"},
+       {"exponent"},
+       exponent},
+      {"junction",
+       "eigenvalues of schemes on knots: all but 1, .., 2^-order are smaller than 2^-order, for all parameters but "
+       "`except`, or at the points `at`",
+       {"scheme", "order", "except", "at", "cases"},
+       {"order", "except", "at"},
+       decide_at_junctions},
+      {"eigenvalues",
+       "the local matrix of a scheme on knots has these eigenvalues, with algebraic and geometric multiplicity",
+       {"scheme", "alpha", "left", "right", "eigenvalues", "cases"},
+       {"eigenvalues"},
+       decide_eigenvalues},
       {"not-decided", "outside of what the provers decide, and why", {"reason"}, {}, not_decided},
   };
   return all;

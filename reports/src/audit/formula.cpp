@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "audit/calculus.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
@@ -265,7 +266,9 @@ void Formulas::define(const std::string& text) {
   const std::string name = expanded(trimmed(text.substr(0, equals)), counters_);
   const std::string body = trimmed(text.substr(equals + 1));
   const auto after = [&](const std::string& keyword) { return trimmed(body.substr(keyword.size())); };
-  if (body.rfind("symbol ", 0) == 0) {
+  if (const auto made = defined_by_operation(name, body, [&](const std::string& t) { return (*this)(trimmed(t)); })) {
+    for (const auto& [n, f] : *made) values_[n] = f;
+  } else if (body.rfind("symbol ", 0) == 0) {
     RationalFunction f = in_z(symbol(make_scheme(expanded(after("symbol "), counters_))));
     for (const std::string& known : f.variables())
       if (const auto at = values_.find(known); at != values_.end()) f = f.substitute(known, at->second);
@@ -301,6 +304,10 @@ void Formulas::define(const std::string& text) {
     families_.push_back(name);
     for (const auto& [i, p] : parts)
       values_[name + "_" + index_name(i - power)] = RationalFunction::over_factors(p, f.denominator_content(), rest);
+  } else if (const auto local =
+                 local_definition(expanded(body, counters_), [this](const std::string& t) { return (*this)(t); })) {
+    families_.push_back(name);
+    for (const auto& [i, v] : *local) values_[name + "_" + index_name(i)] = v;
   } else {
     values_[name] = (*this)(body);
   }

@@ -9,9 +9,19 @@
 //   name = symbol SCHEME                         a(z), indexed as the library does (centred)
 //   name = coefficients of FORMULA               name_i: the coefficient of z^i; 0 outside the support
 //   name = determinant rows a..b columns c..d [without k] : CONDITIONS -> ENTRY; ...   in r, c; first match, else 0
+// On knots (local_formula.cpp): x_0 = 0, x_{e+1} - x_e = d_e, auxiliary knots x_e + lambda_e d_e; the variables d_e,
+// lambda_e (d_m1 for e = -1), or what they are defined as; edges outside of `edges` have d = 1, lambda = 1/2.
+//   name = knots edges=a..b                       name_m: t_m, so name_{2i} = x_i
+//   name = spline order=n rho=r mu=m edges=a..b at=EXPR piece=P   name_i: v_{rho,mu,i}(EXPR), EXPR in [t_P, t_{P+1}]
+//   name = spline-coefficients order=n rho=r mu=m edges=a..b      name_j: the coefficient of N_{n,j} in v_{rho,mu,0}
+//   name = rule SCHEME [where NAME=VALUE,...]     name_h: the weight of p_{i+h} in the new point of the edge i, as a
+//                                                 function; VALUEs choose the piece of a rule that has several
+//   name = junction SCHEME row=R alpha=A left=L right=M where NAME=VALUE,...   name_j: row R of the local matrix
 #pragma once
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +54,11 @@ class Formulas {
   std::map<std::string, RationalFunction> values_;
   std::vector<std::string> families_;  // names defined by `coefficients of`
 };
+
+// The definitions on knots: name and index -> value, for the text after "name = "; nothing if it is none of them.
+// `value` evaluates a formula.
+std::optional<std::map<long, RationalFunction>> local_definition(
+    const std::string& text, const std::function<RationalFunction(const std::string&)>& value);
 
 // sum_i a_i z^i.
 RationalFunction in_z(const Laurent& a);

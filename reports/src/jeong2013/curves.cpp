@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "page.hpp"
+#include "sections.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/reports/curves.hpp"
 #include "twoscale/reports/html.hpp"
@@ -19,10 +19,14 @@ using kernels::Boundary;
 
 constexpr int levels = 7;
 
-// Vertices x, y; all of them are ours.
-const std::vector<double> star = {0, 0, 2, -1, 4, 0, 3.3, 1.6, 4, 3.4, 2, 2.7, 0, 3.4, 0.7, 1.6};
-const std::vector<double> irregular = {0,   0,   3,    -0.4, 6,   0, 6.35, 0.3, 6.4, 2.6,
-                                       4.3, 2.9, 4.05, 3.2,  4.1, 5, 3.8,  5.2, 0.2, 4.8};
+// Vertices x, y of a closed polygon, and the file in data/ that holds them; all of them are ours.
+struct Polygon {
+  const char* file;
+  std::vector<double> vertices;
+};
+const Polygon star = {"data/star.csv", {0, 0, 2, -1, 4, 0, 3.3, 1.6, 4, 3.4, 2, 2.7, 0, 3.4, 0.7, 1.6}};
+const Polygon irregular = {"data/irregular.csv",
+                           {0, 0, 3, -0.4, 6, 0, 6.35, 0.3, 6.4, 2.6, 4.3, 2.9, 4.05, 3.2, 4.1, 5, 3.8, 5.2, 0.2, 4.8}};
 constexpr std::size_t region_first = 4, region_last = 8;  // vertices of the region of figure 9
 
 struct Run {
@@ -65,9 +69,19 @@ Measures measured(const std::vector<double>& curve, const std::vector<double>& p
   return {area(curve), distance_to_polygon({curve, 2, 0, 1}, polygon, true), total_turning(curve, true)};
 }
 
+std::vector<std::string> plot_commands(const std::string& id, const std::vector<Run>& runs, const Polygon& polygon) {
+  std::vector<std::string> lines;
+  for (const Run& run : runs)
+    lines.push_back("twoscale plot curve " + shell_quoted(run.scheme.id) +
+                    (run.v0.empty() ? "" : " --v0=" + shell_quoted(run.v0)) + fmt::format(" --levels {} ", levels) +
+                    polygon.file + " -o " + id + ".svg");
+  return lines;
+}
+
 // A figure with one picture, several runs from the same polygon, and what was measured.
-std::string panel(const std::string& id, const std::string& title, const std::vector<Run>& runs,
-                  const std::vector<double>& polygon, Part& part, Summary& summary, bool region = false) {
+std::string panel(const std::string& id, const std::string& title, const std::vector<Run>& runs, const Polygon& start,
+                  Part& part, bool region = false) {
+  const std::vector<double>& polygon = start.vertices;
   Picture p;
   std::string rows;
   int colour = 0;
@@ -101,22 +115,25 @@ std::string panel(const std::string& id, const std::string& title, const std::ve
     p.lines.insert(p.lines.begin(), l);
   }
   p.height = 430;
-  ++summary.pictures;
-  return fmt::format(
-      "<figure id=\"panel-{0}\">\n{1}\n<figcaption><strong>{0}</strong> {2}\n<table><thead><tr><th>run</th>"
-      "<th>area</th><th>distance to polygon</th><th>turning</th></tr></thead><tbody>\n{3}</tbody></table>"
-      "</figcaption>\n</figure>\n",
-      id, embedded(part, id, title, p), escaped(title), rows);
+  return figure(
+      part,
+      {id, title,
+       "\n<table><thead><tr><th>run</th><th>area</th><th>distance to polygon</th><th>turning</th></tr></thead>"
+       "<tbody>\n" +
+           rows + "</tbody></table>",
+       plot_commands(id, runs, start)},
+      p);
 }
 
-std::string section(int number, const std::string& title, const std::string& text, const std::string& panels,
-                    const std::string& commands) {
-  return fmt::format(
-      "<section class=\"figure\" id=\"figure-{0}\">\n<h3>Figure {0}: {1}</h3>\n<p>{2}</p>\n<div "
-      "class=\"panels\">\n{3}</div>\n{4}</section>\n",
-      number, escaped(title), text, panels,
-      commands.empty() ? ""
-                       : "<details><summary>Commands</summary><pre class=\"shell\">" + commands + "</pre></details>\n");
+Section empty_section(int number, const std::string& title) {
+  const std::string n = std::to_string(number);
+  Section s{"figure-" + n, "Figure " + n, "Figure " + n + ": " + title, {}};
+  s.part.numbers = nlohmann::ordered_json::array();
+  return s;
+}
+
+void fill(Section& s, const std::string& text, const std::string& panels) {
+  s.part.html += "<p>" + text + "</p>\n<div class=\"panels\">\n" + panels + "</div>\n";
 }
 
 std::string csv(const std::vector<double>& polygon) {
@@ -143,11 +160,13 @@ std::vector<Run> cubic_runs() {
   return runs;
 }
 
-std::string figure1(Part& part, Summary& summary, bool& ordered) {
+Section figure1(bool& ordered) {
+  Section section = empty_section(1, "Basic limit functions of the cubic quasi-spline");
   Picture p;
   p.equal_axes = false;
   p.x_label = "parameter";
   std::string rows;
+  std::vector<std::string> commands;
   int colour = 0;
   double last = INFINITY;
   for (const Run& run : cubic_runs()) {
@@ -163,25 +182,21 @@ std::string figure1(Part& part, Summary& summary, bool& ordered) {
     ordered = ordered && centre < last;
     last = centre;
     rows += fmt::format("<tr><td>{}</td><td>{:.6f}</td></tr>\n", escaped(run.label), centre);
-    part.numbers.push_back(nlohmann::ordered_json{{"panel", "1"}, {"scheme", run.scheme.id}, {"centre", centre}});
+    section.part.numbers.push_back(
+        nlohmann::ordered_json{{"panel", "1"}, {"scheme", run.scheme.id}, {"centre", centre}});
+    commands.push_back("twoscale plot basic " + shell_quoted(run.scheme.id) + " -o basic.svg");
     p.lines.push_back(std::move(l));
   }
   p.height = 430;
-  ++summary.pictures;
-  const std::string html = fmt::format(
-      "<figure id=\"panel-1\">\n{}\n<figcaption><strong>1</strong> Basic limit functions\n<table "
-      "class=\"narrow\"><thead><tr>"
-      "<th>ω</th><th>value at the origin after {} steps</th></tr></thead><tbody>\n{}</tbody></table></figcaption>\n"
-      "</figure>\n",
-      embedded(part, "1", "Basic limit functions", p), levels, rows);
-  return section(1, "Basic limit functions of the cubic quasi-spline",
-                 "The masks of Example 2.2. At the origin they lie below one another in the order of the caption.",
-                 html, command("twoscale plot basic '" + cubic_name("-3/8") + "' -o basic.svg"));
-}
-
-std::string tension_command(TensionForm form, const std::string& t, const std::string& v0, const std::string& data) {
-  return command("twoscale refine " + shell_quoted(tension_name(form, t)) + " --v0 " + shell_quoted(v0) +
-                 " --levels 7 data/" + data + ".csv -o curve.csv");
+  fill(section, "The masks of Example 2.2. At the origin they lie below one another in the order of the caption.",
+       figure(section.part,
+              {"1", "Basic limit functions",
+               fmt::format("\n<table class=\"narrow\"><thead><tr><th>ω</th><th>value at the origin after {} steps</th>"
+                           "</tr></thead><tbody>\n{}</tbody></table>",
+                           levels, rows),
+               commands},
+              p));
+  return section;
 }
 
 std::vector<Run> tension_runs(TensionForm form, const std::vector<std::string>& ts, const std::string& v0) {
@@ -207,89 +222,94 @@ std::string tension_name(TensionForm form, const std::string& t) {
          (form == TensionForm::spline ? ",keep=\"1, x\"" : ",keep=\"1, x\",keep_space=\"1, x\"");
 }
 
-Part curve_part(const Options& options, Summary& summary) {
-  Part part;
-  part.numbers = nlohmann::ordered_json::array();
-  const auto progress = [&](const char* step) {
-    if (options.progress) options.progress(step);
-  };
-  progress("figures 1 and 2");
-  part.files.emplace_back("data/star.csv", csv(star));
-  part.files.emplace_back("data/irregular.csv", csv(irregular));
+std::vector<Section> first_curves(const PaperOptions& options) {
+  if (options.progress) options.progress("figures 1 to 5");
   bool ordered = true;
-  part.html += figure1(part, summary, ordered);
-  ordered = ordered && areas_grow(cubic_runs(), star, -1);
-  part.html += section(2, "Limit curves of the cubic quasi-spline",
-                       "The same schemes on a closed polygon (ours). The areas say which curve is the outermost.",
-                       panel("2", "Limit curves", cubic_runs(), star, part, summary),
-                       command("twoscale refine '" + cubic_name("-3/8") + "' --levels 7 data/star.csv -o curve.csv"));
+  std::vector<Section> sections;
+  sections.push_back(figure1(ordered));
+  sections[0].part.files.emplace_back(star.file, csv(star.vertices));
+  Section two = empty_section(2, "Limit curves of the cubic quasi-spline");
+  ordered = ordered && areas_grow(cubic_runs(), star.vertices, -1);
+  fill(two, "The same schemes on a closed polygon (ours). The areas say which curve is the outermost.",
+       panel("2", "Limit curves", cubic_runs(), star, two.part));
+  sections.push_back(std::move(two));
 
-  progress("figures 4 and 5");
+  Section four = empty_section(4, "Tension forms (26)");
   std::string panels;
   const std::vector<std::string> quarters = {"0", "1/4", "1/2", "3/4", "1"};
   const std::tuple<const char*, const char*, const char*> lambdas[] = {
       {"4a", "3", "cosh(3)"}, {"4b", "1", "cosh(1)"}, {"4c", "iπ/2", "0"}, {"4d", "2.7i", "cos(27/10)"}};
   for (const auto& [id, lambda, v0] : lambdas) {
     const auto runs = tension_runs(TensionForm::spline, quarters, v0);
-    ordered = ordered && areas_grow(runs, star, 1);
-    panels += panel(id, std::string("λ₂ = ") + lambda, runs, star, part, summary);
+    ordered = ordered && areas_grow(runs, star.vertices, 1);
+    panels += panel(id, std::string("λ₂ = ") + lambda, runs, star, four.part);
   }
-  part.html +=
-      section(4, "Tension forms (26)",
-              "From the exponential B-spline, t = 0, to the 4-point interpolating scheme, t = 1; λ₁ = 0. The polygon "
-              "is ours.",
-              panels, tension_command(TensionForm::spline, "1/4", "cosh(3)", "star"));
+  fill(four,
+       "From the exponential B-spline, t = 0, to the 4-point interpolating scheme, t = 1; λ₁ = 0. The polygon is ours.",
+       panels);
+  four.part.findings.push_back(std::string("Figures 1, 2, 4: the orders stated in the captions ") +
+                               (ordered ? "hold" : "do not all hold") +
+                               " on our polygon, measured by the values at the origin and by the enclosed areas.");
+  sections.push_back(std::move(four));
+
+  Section five = empty_section(5, "Large real frequencies");
   panels.clear();
   const std::tuple<const char*, const char*, const char*> real[] = {
       {"5a", "1", "cosh(1)"}, {"5b", "4", "cosh(4)"}, {"5c", "8", "cosh(8)"}, {"5d", "16", "cosh(16)"}};
   for (const auto& [id, lambda, v0] : real)
     panels += panel(id, std::string("λ₂ = ") + lambda, tension_runs(TensionForm::spline, {"1/2", "1/4"}, v0), star,
-                    part, summary);
-  part.html +=
-      section(5, "Large real frequencies",
-              "The caption says t = 1/2, the text of Example 6.1 t = 1/4: both are drawn. With growing λ₂ the curves "
-              "tend to the polygon for either.",
-              panels, tension_command(TensionForm::spline, "1/2", "cosh(4)", "star"));
+                    five.part);
+  fill(five,
+       "The caption says t = 1/2, the text of Example 6.1 t = 1/4: both are drawn. With growing λ₂ the curves tend to "
+       "the polygon for either.",
+       panels);
+  sections.push_back(std::move(five));
+  return sections;
+}
 
-  progress("figures 8 and 9");
-  panels.clear();
-  const std::tuple<const char*, const char*, const char*, const char*> eight[] = {{"8b", "1", "0", "1"},
+std::vector<Section> last_curves(const PaperOptions& options) {
+  if (options.progress) options.progress("figures 8 and 9");
+  Section eight = empty_section(8, "An irregular polygon");
+  eight.part.files.emplace_back(irregular.file, csv(irregular.vertices));
+  std::string panels;
+  const std::tuple<const char*, const char*, const char*, const char*> runs8[] = {{"8b", "1", "0", "1"},
                                                                                   {"8c", "1", "4", "cosh(4)"},
                                                                                   {"8d", "1", "8", "cosh(8)"},
                                                                                   {"8e", "1/4", "3/2", "cosh(3/2)"}};
-  for (const auto& [id, t, lambda, v0] : eight)
+  for (const auto& [id, t, lambda, v0] : runs8)
     panels += panel(id, fmt::format("t = {}, λ₂ = {}", t, lambda), tension_runs(TensionForm::polygon, {t}, v0),
-                    irregular, part, summary);
-  part.html += section(8, "An irregular polygon",
-                       "Interpolating schemes (27) with (28). The polygon is ours; it turns by " +
-                           fmt::format("{:.3f}", total_turning(irregular, true)) + ".",
-                       panels, tension_command(TensionForm::polygon, "1/4", "cosh(3/2)", "irregular"));
+                    irregular, eight.part);
+  fill(eight,
+       "Interpolating schemes (27) with (28). The polygon is ours; it turns by " +
+           fmt::format("{:.3f}", total_turning(irregular.vertices, true)) + ".",
+       panels);
+
+  Section nine = empty_section(9, "Beside the 4-point scheme of Dyn, Gregory and Levin");
   panels.clear();
-  const std::pair<const char*, const char*> nine[] = {{"9a", "1/2"}, {"9b", "1/4"}, {"9c", "1/6"}, {"9d", "1/8"}};
+  const std::pair<const char*, const char*> runs9[] = {{"9a", "1/2"}, {"9b", "1/4"}, {"9c", "1/6"}, {"9d", "1/8"}};
   double gain = 0;
-  for (const auto& [id, t] : nine) {
+  for (const auto& [id, t] : runs9) {
     const Scheme s = make_scheme(tension_name(TensionForm::polygon, t));
     const std::vector<Run> runs = {{"quasi-spline, λ₂ = 3/2", s, "cosh(3/2)"}, {"4-point, w = t/16", s, "1"}};
-    const double a = measured(refined(runs[0], irregular), irregular).distance;
-    const double b = measured(refined(runs[1], irregular), irregular).distance;
+    const double a = measured(refined(runs[0], irregular.vertices), irregular.vertices).distance;
+    const double b = measured(refined(runs[1], irregular.vertices), irregular.vertices).distance;
     gain = std::max(gain, a / b);
-    panels += panel(id, std::string("t = ") + t, runs, irregular, part, summary, true);
+    panels += panel(id, std::string("t = ") + t, runs, irregular, nine.part, true);
   }
-  part.html +=
-      section(9, "Beside the 4-point scheme of Dyn, Gregory and Levin",
-              "A part of the same polygon. The paper does not say how t enters the scheme it compares with; w = t/16 "
-              "is (27)-(28) with λ₂ = 0. Its weight is then larger at every step, since γ₂(2 + γ₂) ≥ 8: the curves of "
-              "λ₂ = 3/2 stay closer to the polygon at the same t.",
-              panels, tension_command(TensionForm::polygon, "1/2", "1", "irregular"));
-  part.findings = {
-      std::string("Figures 1, 2, 4: the orders stated in the captions ") + (ordered ? "hold" : "do not all hold") +
-          " on our polygon, measured by the values at the origin and by the enclosed areas.",
-      fmt::format(
-          "Figure 9: at equal t the quasi-spline with λ₂ = 3/2 stays within {:.2f} of the distance that the 4-point "
-          "scheme with w = t/16 keeps from the polygon; a part of its advantage is that its weights are smaller at "
-          "the first steps (t/(8v(1+v)) with v = cosh(3/4) at the first).",
-          gain)};
-  return part;
+  fill(nine,
+       "A part of the same polygon. The paper does not say how t enters the scheme it compares with; w = t/16 is "
+       "(27)-(28) with λ₂ = 0. Its weight is then larger at every step, since γ₂(2 + γ₂) ≥ 8: the curves of λ₂ = 3/2 "
+       "stay closer to the polygon at the same t.",
+       panels);
+  nine.part.findings.push_back(fmt::format(
+      "Figure 9: at equal t the quasi-spline with λ₂ = 3/2 stays within {:.2f} of the distance that the 4-point scheme "
+      "with w = t/16 keeps from the polygon; a part of its advantage is that its weights are smaller at the first "
+      "steps (t/(8v(1+v)) with v = cosh(3/4) at the first).",
+      gain));
+  std::vector<Section> sections;
+  sections.push_back(std::move(eight));
+  sections.push_back(std::move(nine));
+  return sections;
 }
 
 }  // namespace twoscale::reports::jeong2013

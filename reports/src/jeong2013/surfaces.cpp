@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "page.hpp"
+#include "sections.hpp"
 #include "twoscale/reports/html.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -143,7 +143,7 @@ SurfacePicture picture(const Surface& s, const RefinedGrid& refined) {
   return p;
 }
 
-std::string surface_html(const Surface& s, Part& part, Summary& summary) {
+std::string surface_html(const Surface& s, Part& part) {
   const ParametricSurface surface = parametric(s);
   std::vector<Way> ways;
   ways.push_back(follow("one pair for all frequencies", surface,
@@ -158,10 +158,7 @@ std::string surface_html(const Surface& s, Part& part, Summary& summary) {
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const Way& w = ways[i];
     const bool exact = w.deviation < 1e-12;
-    if (i < 3) {
-      ++summary.exact_runs;
-      summary.largest_exact_deviation = std::max(summary.largest_exact_deviation, w.deviation);
-    }
+    if (i < 3) part.exact_run(w.deviation);
     const auto& samples = w.summands[0].grid.size;
     rows += fmt::format("<tr><td>{}</td><td>{} × {}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td></tr>\n", w.name,
                         samples.rows, samples.columns, w.summands.size(), pairs_text(w), exact ? "proved" : "refuted",
@@ -176,9 +173,7 @@ std::string surface_html(const Surface& s, Part& part, Summary& summary) {
     part.numbers.push_back(j);
   }
   part.files.emplace_back("data/" + s.id + ".toml", description(s));
-  ++summary.pictures;
-  std::string html = fmt::format("<figure id=\"panel-{0}\">\n{1}\n<figcaption><strong>{0}</strong> {2}<br/>", s.id,
-                                 embedded(part, s.id, s.title, picture(s, ways[0].refined)), escaped(s.title));
+  std::string html = "<br/>";
   for (std::size_t c = 0; c < 3; ++c)
     html += formula("<mi>" + coordinates[c] + "</mi><mo>=</mo>", s.formulas[c]) + (c < 2 ? "<br/>" : "");
   const auto list = [](const std::vector<long>& n) {
@@ -200,10 +195,13 @@ std::string surface_html(const Surface& s, Part& part, Summary& summary) {
       "\n<table><thead><tr><th>way</th><th>samples</th><th>tensor products</th><th>schemes, u × v</th><th>largest "
       "deviation</th></tr></thead><tbody>\n" +
       rows + "</tbody></table>\n";
-  return html + "<details><summary>Commands</summary><pre class=\"shell\">" +
-         command(fmt::format("twoscale surface data/{}.toml --explain", s.id)) +
-         command(fmt::format("twoscale surface data/{0}.toml --levels {1} -o {0}.obj", s.id, measured_levels)) +
-         "</pre></details></figcaption>\n</figure>\n";
+  return figure(part,
+                {s.id,
+                 s.title,
+                 html,
+                 {fmt::format("twoscale surface data/{0}.toml --levels {1} -o {0}.svg", s.id, measured_levels),
+                  fmt::format("twoscale surface data/{}.toml --explain", s.id)}},
+                picture(s, ways[0].refined));
 }
 
 // ---- Figure 7
@@ -238,23 +236,17 @@ double roundness(const PointGrid& grid) {
   return worst;
 }
 
-std::string glasses_html(Part& part, Summary& summary) {
+Section glasses() {
+  Section section{"figure-7", "Figure 7", "Figure 7: surfaces of revolution", {}};
+  Part& part = section.part;
+  part.numbers = nlohmann::ordered_json::array();
   const PointGrid polyhedron = control_polyhedron();
-  std::string html =
-      "<section class=\"figure\" id=\"figure-7\">\n<h3>Figure 7: surfaces of revolution</h3>\n<p>Four control points a "
-      "ring become circles by the mask (26) with t = 1 and λ₂ = iπ/2, that is v⁰ = 0. (The paper prints λ₂ = π/2, but "
-      "with "
-      "a real λ₂ the mask does not reproduce a circle.) Along the profile the mask (26) with t = 0, 1/2, 1; the "
-      "profile, "
-      "λ₂ = 1 and the linear rule at foot and rim are ours, because the paper names none.</p>\n<div "
-      "class=\"panels\">\n";
-  const auto panel = [&](const std::string& id, const std::string& title, const SurfacePicture& p,
-                         const std::string& measured) {
-    ++summary.pictures;
-    html +=
-        fmt::format("<figure id=\"panel-{0}\">\n{1}\n<figcaption><strong>{0}</strong> {2}{3}</figcaption>\n</figure>\n",
-                    id, embedded(part, id, title, p), escaped(title), measured);
-  };
+  part.html =
+      "<p>Four control points a ring become circles by the mask (26) with t = 1 and λ₂ = iπ/2, that is v⁰ = 0. (The "
+      "paper prints λ₂ = π/2, but with a real λ₂ the mask does not reproduce a circle.) Along the profile the mask "
+      "(26) "
+      "with t = 0, 1/2, 1; the profile, λ₂ = 1 and the linear rule at foot and rim are ours, because the paper names "
+      "none.</p>\n<div class=\"panels\">\n";
   const auto upright = [](Sheet s) {
     SurfacePicture p;
     p.sheet = std::move(s);
@@ -265,7 +257,7 @@ std::string glasses_html(Part& part, Summary& summary) {
   };
   SurfacePicture net = upright(sheet(polyhedron, {false, true}));
   net.net = true;
-  panel("7a", "Control polyhedron", net, "");
+  part.html += figure(part, {"7a", "Control polyhedron", "", {}}, net);
   const Scheme ring = make_scheme(tension_name(TensionForm::spline, "1"));
   const Direction along_v{ring, lowering::bind(ring, "0", std::nullopt, {}), measured_levels, Boundary::closed};
   const std::pair<const char*, const char*> glasses[] = {{"7b", "0"}, {"7c", "1/2"}, {"7d", "1"}};
@@ -275,19 +267,21 @@ std::string glasses_html(Part& part, Summary& summary) {
                             Boundary::linear};
     const RefinedGrid glass = lowering::refine_grid(polyhedron, along_u, along_v, 0);
     const double spread = roundness(glass.grid);
-    ++summary.exact_runs;
-    summary.largest_exact_deviation = std::max(summary.largest_exact_deviation, spread);
+    part.exact_run(spread);
     part.numbers.push_back(nlohmann::ordered_json{{"surface", id}, {"t", t}, {"roundness", spread}});
-    panel(id, std::string("Vertical t = ") + t, upright(thinned(glass.grid, *glass.grid.closings)),
-          "<br/>All rings are circles: spread of their radii at most " + number_text(spread) + ".");
+    part.html += figure(
+        part,
+        {id,
+         std::string("Vertical t = ") + t,
+         "<br/>All rings are circles: spread of their radii at most " + number_text(spread) + ".",
+         {"twoscale plot surface " + shell_quoted(tension_name(TensionForm::spline, t)) +
+          " --v0 'cosh(1)' --open linear --tensor tension4 --tensor-v0 0 --tensor-closed --levels 4 data/7.csv -o " +
+          id + ".svg"}},
+        upright(thinned(glass.grid, *glass.grid.closings)));
   }
   part.files.emplace_back("data/7.csv", kernels::grid_to_bytes(polyhedron, kernels::PointFormat::csv, {}));
-  return html + "</div>\n<details><summary>Commands</summary><pre class=\"shell\">" +
-         command(
-             "twoscale refine " + shell_quoted(tension_name(TensionForm::spline, "1/2")) +
-             " --v0 'cosh(1)' --open linear --tensor tension4 --tensor-v0 0 --tensor-closed --levels 4 data/7.csv -o "
-             "glass.obj") +
-         "</pre></details>\n</section>\n";
+  part.html += "</div>\n";
+  return section;
 }
 
 std::vector<Surface> build() {
@@ -378,32 +372,21 @@ ParametricSurface parametric(const Surface& s) {
   return p;
 }
 
-std::string embedded(Part& part, const std::string& name, const std::string& alternative,
-                     const SurfacePicture& picture) {
-  const std::string svg = render(picture, ImageFormat::svg);
-  part.files.emplace_back("figures/" + name + ".svg", svg);
-  return fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>", data_uri(svg), picture.width,
-                     picture.height, escaped(alternative));
-}
-
-Part surface_part(const Options& options, Summary& summary) {
-  Part part;
+std::vector<Section> surface_sections(const PaperOptions& options) {
+  Section section{"figure-6", "Figure 6", "Figure 6: surfaces returned from their samples", {}};
+  Part& part = section.part;
   part.numbers = nlohmann::ordered_json::array();
   part.html =
-      "<section class=\"figure\" id=\"figure-6\">\n<h3>Figure 6: surfaces returned from their samples</h3>\n<p>Each "
-      "coordinate is a sum of products f(u) g(v). The paper adds up tensor products of 4-point schemes, one for every "
-      "two "
-      "frequencies that occur together. One pair of 2l-point interpolating schemes whose spaces hold all frequencies "
-      "needs "
-      "no sum, and as few samples as determine the functions; a single pair of 4-point schemes does not do it.</p>\n"
-      "<div class=\"panels\">\n";
+      "<p>Each coordinate is a sum of products f(u) g(v). The paper adds up tensor products of 4-point schemes, one "
+      "for "
+      "every two frequencies that occur together. One pair of 2l-point interpolating schemes whose spaces hold all "
+      "frequencies needs no sum, and as few samples as determine the functions; a single pair of 4-point schemes does "
+      "not do it.</p>\n<div class=\"panels\">\n";
   for (const Surface& s : surfaces()) {
     if (options.progress) options.progress(s.title);
-    part.html += surface_html(s, part, summary);
+    part.html += surface_html(s, part);
   }
-  part.html += "</div>\n</section>\n";
-  if (options.progress) options.progress("surfaces of revolution");
-  part.html += glasses_html(part, summary);
+  part.html += "</div>\n";
   part.findings = {
       "Möbius strip: with the printed y = 3 sin(πu/2) + v cos(πu/4) the surface does close up after one turn with a "
       "half "
@@ -420,7 +403,11 @@ Part surface_part(const Options& options, Summary& summary) {
       "The 4-point schemes return one frequency each. The trefoil tube of figure 6 needs four tensor products of them, "
       "or one "
       "of a 4-point and a 10-point scheme, which is then content with 3 × 9 samples instead of 16 × 16."};
-  return part;
+  std::vector<Section> sections;
+  sections.push_back(std::move(section));
+  if (options.progress) options.progress("surfaces of revolution");
+  sections.push_back(glasses());
+  return sections;
 }
 
 }  // namespace twoscale::reports::jeong2013

@@ -4,7 +4,7 @@
 // the note says so.
 #include <cmath>
 
-#include "twoscale/reports/romani2009.hpp"
+#include "sections.hpp"
 
 namespace twoscale::reports::romani2009 {
 
@@ -15,12 +15,15 @@ using std::cosh;
 using std::sin;
 using std::sinh;
 
-const char* const four = "tension4";
-const char* const mixed = "interpolating:family=mixed,l=3";
-const char* const harmonic = "interpolating:family=harmonic,l=3";
-const char* const resonant = "interpolating:family=resonant,l=3";
-const char* const harmonic8 = "interpolating:family=harmonic,l=4";
-const char* const lacunary = "interpolating:space=\"1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)\"";
+const NamedScheme four = {"tension4", "4-point, tension"};
+const NamedScheme dubuc = {"dd:l=2", "Dubuc–Deslauriers 4-point"};
+const NamedScheme weissmann = {"dd:l=3", "Weissmann 6-point"};
+const NamedScheme mixed = {"interpolating:family=mixed,l=3", "6-point mixed"};
+const NamedScheme harmonic = {"interpolating:family=harmonic,l=3", "6-point harmonic"};
+const NamedScheme resonant = {"interpolating:family=resonant,l=3", "6-point resonant"};
+const NamedScheme harmonic8 = {"interpolating:family=harmonic,l=4", "8-point harmonic"};
+const NamedScheme lacunary = {"interpolating:space=\"1,x,cos(t*x),sin(t*x),cos(3*t*x),sin(3*t*x)\"",
+                              "6-point lacunary"};
 
 // ---- Curves
 
@@ -239,7 +242,7 @@ Figure figure7() {
             ""}}};
 }
 
-Figure tension(int number, const char* scheme, const char* section, const std::vector<const char*>& values) {
+Figure tension(int number, const NamedScheme& scheme, const char* section, const std::vector<const char*>& values) {
   Figure f{number, std::string("Tension: section ") + section, "", {}};
   Panel p{std::to_string(number),
           std::string("One polygon, increasing v⁰, scheme of section ") + section,
@@ -253,15 +256,15 @@ Figure tension(int number, const char* scheme, const char* section, const std::v
 
 Figure comparison(int number, const char* title, const Polygon& polygon, const char* v0, const char* text) {
   Figure f{number, title, text, {}};
-  const auto add = [&](const char* letter, const char* name, const char* scheme, const char* v) {
+  const auto add = [&](const char* letter, const char* name, const NamedScheme& scheme, const char* v) {
     f.panels.push_back({std::to_string(number) + letter,
                         std::string(name) + (*v == 0 ? "" : std::string(", v⁰ = ") + v),
                         polygon,
                         {{scheme, v, Expect::shape}},
                         ""});
   };
-  add("a", "Dubuc–Deslauriers 4-point", "dd:l=2", "");
-  add("b", "Weissmann 6-point", "dd:l=3", "");
+  add("a", "Dubuc–Deslauriers 4-point", dubuc, "");
+  add("b", "Weissmann 6-point", weissmann, "");
   add("c", "4-point with tension", four, v0);
   add("d", "6-point, section 4.1", mixed, v0);
   add("e", "6-point, section 4.2", harmonic, v0);
@@ -289,6 +292,11 @@ std::vector<Figure> build() {
 }
 
 }  // namespace
+
+const std::vector<NamedScheme>& closed_curve_schemes() {
+  static const std::vector<NamedScheme> list = {four, mixed, resonant, harmonic, lacunary, harmonic8};
+  return list;
+}
 
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> list = build();

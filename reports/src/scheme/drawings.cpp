@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interactive.hpp"
 #include "sections.hpp"
 #include "twoscale/analysis/regularity.hpp"
 #include "twoscale/kernels/points_io.hpp"
@@ -17,9 +18,6 @@ namespace twoscale::reports::scheme_page {
 
 namespace {
 
-// A closed polygon with short and long edges, a reflex vertex and an acute one.
-const std::vector<double> polygon = {0, 0, 2, 0.2, 3.2, 1.4, 2.4, 2.8, 1.6, 1.7, 0.6, 3.0, -0.6, 1.6};
-
 // As many levels as give a smooth picture.
 int levels_for(int arity, double points) {
   int k = 1;
@@ -29,7 +27,7 @@ int levels_for(int arity, double points) {
 
 Line polygon_line() {
   Line l;
-  l.values = polygon;
+  l.values = sample_polygon();
   l.style = Line::Style::polygon;
   l.closed = true;
   l.title = "polygon";
@@ -39,7 +37,8 @@ Line polygon_line() {
 Line curve_line(const Subject& s, const lowering::Binding& binding, const std::string& title, int colour) {
   Line l;
   l.values =
-      refine_points(s.scheme, binding, polygon, 2, levels_for(s.scheme.arity, 48), kernels::Boundary::closed).values;
+      refine_points(s.scheme, binding, sample_polygon(), 2, levels_for(s.scheme.arity, 48), kernels::Boundary::closed)
+          .values;
   l.closed = true;
   l.title = title;
   l.colour = colour;
@@ -99,15 +98,9 @@ std::optional<lowering::Binding> binding_at(const Subject& s, const std::string&
   }
 }
 
-std::string figure(Part& part, SchemeReportSummary& summary, const std::string& name, const std::string& caption,
-                   const Picture& picture, const std::string& line) {
-  ++summary.pictures;
-  return "<figure id=\"picture-" + name + "\">\n" + embedded(part, name, caption, picture) + "\n<figcaption><strong>" +
-         escaped(caption) + "</strong>" +
-         (line.empty()
-              ? ""
-              : "<details><summary>Command</summary><pre class=\"shell\">" + command(line) + "</pre></details>") +
-         "</figcaption>\n</figure>\n";
+std::string picture_html(Part& part, const std::string& name, const std::string& title, const Picture& picture,
+                         const std::string& line) {
+  return figure(part, {name, title, "", line.empty() ? std::vector<std::string>{} : std::vector{line}, false}, picture);
 }
 
 Picture graph(std::vector<Line> lines) {
@@ -121,14 +114,22 @@ Picture graph(std::vector<Line> lines) {
 
 }  // namespace
 
-Part pictures(const Subject& s, SchemeReportSummary& summary) {
+Part play(const Subject& s) {
   Part part;
-  part.html = "<section id=\"pictures\">\n<h2>Pictures</h2>\n<div class=\"panels\">\n";
+  if (can_be_interactive(s.scheme))
+    part.html = interactive_html(part, s.scheme, s.binding, {"curve", s.name, sample_polygon()});
+  return part;
+}
+
+Part pictures(const Subject& s) {
+  Part part;
+  part.html = "<div class=\"panels\">\n";
   const int levels = levels_for(s.scheme.arity, 96);
   Line basic;
   basic.values = basic_limit_function(s.scheme, s.binding, levels).values;
-  part.html += figure(part, summary, "basic", "Basic limit function", graph({basic}),
-                      "twoscale plot basic " + s.name + s.values + fmt::format(" --levels {} -o basic.svg", levels));
+  part.html +=
+      picture_html(part, "basic", "Basic limit function", graph({basic}),
+                   "twoscale plot basic " + s.name + s.values + fmt::format(" --levels {} -o basic.svg", levels));
 
   long continuity = 0;
   if (s.all_fixed) {
@@ -147,19 +148,19 @@ Part pictures(const Subject& s, SchemeReportSummary& summary) {
     Line l;
     l.values = derivative;
     l.colour = static_cast<int>(order);
-    part.html += figure(part, summary, "derivative-" + std::to_string(order),
-                        order == 1 ? "Its first derivative" : "Its second derivative", graph({l}), "");
+    part.html += picture_html(part, "derivative-" + std::to_string(order),
+                              order == 1 ? "Its first derivative" : "Its second derivative", graph({l}), "");
   }
 
   kernels::PointSet points;
   points.columns = kernels::default_columns(2);
   points.dim = 2;
-  points.values = polygon;
+  points.values = sample_polygon();
   part.files.emplace_back("data/polygon.csv", kernels::to_csv(points));
   Picture curve;
   curve.lines = {polygon_line(), curve_line(s, s.binding, "limit curve", 0)};
-  part.html += figure(part, summary, "curve", "A closed curve", curve,
-                      "twoscale plot curve " + s.name + s.values + " data/polygon.csv -o curve.svg");
+  part.html += picture_html(part, "curve", "A closed curve", curve,
+                            "twoscale plot curve " + s.name + s.values + " data/polygon.csv -o curve.svg");
   part.numbers = {{"continuity_drawn", continuity}};
   if (const auto sweep = sweep_of(s.scheme)) {
     Picture basics = graph({});
@@ -179,17 +180,17 @@ Part pictures(const Subject& s, SchemeReportSummary& summary) {
       drawn.push_back(value);
     }
     if (!basics.lines.empty()) {
-      part.html += figure(part, summary, "sweep-basic", "Basic limit functions along " + sweep->name, basics, "");
+      part.html += picture_html(part, "sweep-basic", "Basic limit functions along " + sweep->name, basics, "");
       const bool v0 = sweep->name == "v0";
       std::string list;
       for (const auto& v : drawn) list += (list.empty() ? "" : ",") + v.get<std::string>();
-      part.html +=
-          figure(part, summary, "sweep-curve", "Curves along " + sweep->name, curves,
-                 v0 ? "twoscale plot sweep " + s.name + " --values=" + list + " data/polygon.csv -o sweep.svg" : "");
+      part.html += picture_html(
+          part, "sweep-curve", "Curves along " + sweep->name, curves,
+          v0 ? "twoscale plot sweep " + s.name + " --values=" + list + " data/polygon.csv -o sweep.svg" : "");
       part.numbers["sweep"] = {{"name", sweep->name}, {"values", drawn}};
     }
   }
-  part.html += "</div>\n</section>\n";
+  part.html += "</div>\n";
   return part;
 }
 

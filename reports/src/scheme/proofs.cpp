@@ -49,24 +49,6 @@ std::string theorems(const std::vector<Decision>& decisions) {
 
 }  // namespace
 
-std::string certificate_html(Part& part, const Subject& s, const std::string& name, const std::string& text,
-                             SchemeReportSummary& summary) {
-  const std::string file = "certificates/" + name + ".json";
-  part.files.emplace_back(file, text);
-  std::string html = fmt::format("<p><a download=\"{0}.json\" href=\"{1}\">Certificate</a> (also <code>{2}</code>)",
-                                 name, data_uri(text, "application/json"), file);
-  if (!s.options.checker) return html + ".</p>\n";
-  const CheckerVerdict v = s.options.checker(text);
-  summary.all_certificates_valid = summary.all_certificates_valid && v.valid;
-  std::string lines;
-  for (const auto& line : v.lines) lines += escaped(line) + "\n";
-  return html +
-         fmt::format(
-             ": the independent checker says <strong class=\"{0}\">{1}</strong>.</p>\n<details><summary>What the "
-             "checker verified, and the theorems it trusts</summary><pre>{2}</pre></details>\n",
-             v.valid ? "proved" : "refuted", v.valid ? "valid" : "refused", lines);
-}
-
 Part claims(const Subject& s, SchemeReportSummary& summary) {
   Part part;
   const analysis::Proof proof = analysis::prove(s.scheme, analysis::default_claims(s.scheme));
@@ -77,25 +59,23 @@ Part claims(const Subject& s, SchemeReportSummary& summary) {
                                        : summary.undecided);
     part.numbers.push_back({{"claim", d.claim}, {"subject", d.subject}, {"verdict", to_string(d.verdict)}});
   }
-  part.html = "<section id=\"claims\">\n<h2>What is proved</h2>\n";
-  part.html += s.scheme.claims.empty()
-                   ? "<p>No source claims anything; decided is what can be asked of any mask.</p>\n"
-                   : "<p>The claims of the scheme’s source, for all values of its parameters at once.</p>\n";
+  part.html = s.scheme.claims.empty()
+                  ? "<p>No source claims anything; decided is what can be asked of any mask.</p>\n"
+                  : "<p>The claims of the scheme’s source, for all values of its parameters at once.</p>\n";
   part.html += verdict_table(proof.decisions);
   if (const std::string names = theorems(proof.decisions); !names.empty())
     part.html += "<p class=\"small\">Theorems named in the certificate: " + names + ".</p>\n";
-  if (!proof.certificate.empty()) part.html += certificate_html(part, s, "claims", proof.certificate, summary);
-  part.html += "<pre class=\"shell\">" +
-               command("twoscale prove " + s.name + " --certificate certificates/claims.json") +
-               command("twoscale-check certificates/claims.json") + "</pre>\n</section>\n";
+  if (!proof.certificate.empty())
+    part.html += certificate_html(part, s.prefix + "claims", proof.certificate, s.options.checker);
+  part.html += commands_html({"twoscale prove " + s.name + " --certificate certificates/" + s.prefix + "claims.json",
+                              "twoscale-check certificates/" + s.prefix + "claims.json"});
   return part;
 }
 
-Part smoothness(const Subject& s, SchemeReportSummary& summary) {
+Part smoothness(const Subject& s) {
   Part part;
-  part.html = "<section id=\"smoothness\">\n<h2>Smoothness</h2>\n";
   if (!s.all_fixed) {
-    part.html += "<p>Exponents are computed for rational values of the parameters only.</p>\n</section>\n";
+    part.html += "<p>Exponents are computed for rational values of the parameters only.</p>\n";
     part.numbers = nullptr;
     return part;
   }
@@ -112,7 +92,7 @@ Part smoothness(const Subject& s, SchemeReportSummary& summary) {
     obstacle = e.what();
   }
   if (!obstacle.empty()) {
-    part.html += "<p>No exponent: " + prose(obstacle) + ".</p>\n</section>\n";
+    part.html += "<p>No exponent: " + prose(obstacle) + ".</p>\n";
     part.numbers = {{"obstacle", obstacle}};
     return part;
   }
@@ -148,22 +128,21 @@ Part smoothness(const Subject& s, SchemeReportSummary& summary) {
                   "itself: for " +
                   prose(analysis::start_values(s.scheme)) + " without a singular step.</p>\n"
             : "<p>These are the exponents of the limit of the masks; for the scheme itself they are undecided.</p>\n";
-  part.html += certificate_html(part, s, "smoothness", r.certificate, summary);
+  part.html += certificate_html(part, s.prefix + "smoothness", r.certificate, s.options.checker);
   std::string at;
   for (const auto& p : s.scheme.parameters)
     if (p.scope == Parameter::Scope::constant && p.default_value.empty()) at = s.values;
-  part.html += "<pre class=\"shell\">" +
-               command("twoscale regularity " + s.name + at + " --certificate certificates/smoothness.json") +
-               command("twoscale-check certificates/smoothness.json") + "</pre>\n</section>\n";
+  part.html += commands_html(
+      {"twoscale regularity " + s.name + at + " --certificate certificates/" + s.prefix + "smoothness.json",
+       "twoscale-check certificates/" + s.prefix + "smoothness.json"});
   return part;
 }
 
 Part spectrum(const Subject& s) {
   Part part;
-  part.html = "<section id=\"spectrum\">\n<h2>Spectrum of the local matrix</h2>\n";
   const auto limit = limit_symbol(s.fixed);
   if (!limit) {
-    part.html += "<p>The masks have no limit.</p>\n</section>\n";
+    part.html += "<p>The masks have no limit.</p>\n";
     part.numbers = nullptr;
     return part;
   }
@@ -171,7 +150,7 @@ Part spectrum(const Subject& s) {
   try {
     found = analysis::spectrum(*limit, s.scheme.arity);
   } catch (const Error& e) {
-    part.html += "<p>" + prose(e.what()) + "</p>\n</section>\n";
+    part.html += "<p>" + prose(e.what()) + "</p>\n";
     part.numbers = nullptr;
     return part;
   }
@@ -198,7 +177,7 @@ Part spectrum(const Subject& s) {
                          "<p>The necessary conditions for <math><msup><mi>C</mi><mn>{}</mn></msup></math> hold{}; not "
                          "more: {}.</p>\n",
                          n.order, n.conditions.empty() ? "" : " under conditions", prose(n.obstruction));
-  part.html += "<pre class=\"shell\">" + command("twoscale spectrum " + s.name) + "</pre>\n</section>\n";
+  part.html += commands_html({"twoscale spectrum " + s.name});
   return part;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "sections.hpp"
-#include "twoscale/kernels/write_file.hpp"
 #include "twoscale/reports/html.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
@@ -49,7 +48,10 @@ std::string command_values(const lowering::Binding& b, const Scheme& scheme) {
   return v0 + (at.empty() ? "" : " --at " + shell_quoted(at));
 }
 
-Subject subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
+}  // namespace
+
+Subject scheme_page::subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
+  if (scheme.kernel.empty()) symbol(scheme);  // refuses what has none
   lowering::Binding binding = binding_of(scheme, o);
   std::vector<std::pair<std::string, RationalFunction>> values;
   bool all = true;
@@ -60,74 +62,48 @@ Subject subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
     if (value) values.emplace_back(p.name, *value);
   }
   std::string text = command_values(binding, scheme);
-  return {scheme, with_values(scheme, values), all, std::move(binding), o, shell_quoted(o.name), std::move(text)};
+  return {scheme, with_values(scheme, values), all, std::move(binding), o, shell_quoted(o.name), std::move(text), ""};
 }
-
-std::string head(const Scheme& s) {
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-      escaped(s.id) + "</title>\n<style>" + page_style() + "</style>\n</head>\n<body>\n<header>\n<h1>" +
-      escaped(s.title) + "</h1>\n<p><code>" + escaped(s.id) + "</code>";
-  if (!s.source.empty()) html += ", " + escaped(s.source);
-  return html + "</p>\n</header>\n";
-}
-
-}  // namespace
 
 SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string& directory,
                                         const SchemeReportOptions& options) {
-  symbol(scheme);  // refuses what has none
-  const Subject s = subject_of(scheme, options);
+  const Subject s = scheme_page::subject_of(scheme, options);
   SchemeReportSummary summary;
   const auto tell = [&](const char* step) {
     if (options.progress) options.progress(step);
   };
   // Everything is computed before anything is written.
-  std::vector<std::pair<std::string, Part>> parts;
-  const auto add = [&](const char* id, const char* title, Part part) {
-    if (!part.html.empty()) parts.emplace_back(std::string(id) + "\n" + title, std::move(part));
+  Page page;
+  const auto add = [&](const char* id, const char* label, Part part, const char* heading = "") {
+    summary.pictures += static_cast<int>(part.figures.size());
+    summary.all_certificates_valid = summary.all_certificates_valid && part.certificates_valid;
+    page.sections.push_back({id, label, heading, std::move(part)});
   };
   add("definition", "Definition", scheme_page::definition(s));
+  add("play", "Try it", scheme_page::play(s), "Drag the points, move the sliders");
   add("parameters", "Parameters", scheme_page::parameters(s));
+  add("derivation", "Derivation", scheme_page::derivation(s));
   tell("claims");
   add("claims", "What is proved", scheme_page::claims(s, summary));
-  tell("smoothness");
-  add("smoothness", "Smoothness", scheme_page::smoothness(s, summary));
-  tell("spectrum");
-  add("spectrum", "Spectrum", scheme_page::spectrum(s));
-  add("masks", "Masks", scheme_page::masks(s));
-  tell("pictures");
-  add("pictures", "Pictures", scheme_page::pictures(s, summary));
-
-  std::string navigation = "<nav><ul>\n";
-  std::string body;
-  nlohmann::ordered_json j;
-  j["format"] = "twoscale/report";
-  j["version"] = 1;
-  j["scheme"] = scheme.id;
-  for (const auto& [label, part] : parts) {
-    const std::string id = label.substr(0, label.find('\n'));
-    navigation += "<li><a href=\"#" + id + "\">" + escaped(label.substr(id.size() + 1)) + "</a></li>\n";
-    body += part.html;
-    j[id] = part.numbers;
+  if (is_uniform(scheme)) {
+    tell("smoothness");
+    add("smoothness", "Smoothness", scheme_page::smoothness(s));
+    tell("spectrum");
+    add("spectrum", "Spectrum", scheme_page::spectrum(s), "Spectrum of the local matrix");
+    add("masks", "Masks", scheme_page::masks(s));
+    tell("pictures");
+    add("pictures", "Pictures", scheme_page::pictures(s));
   }
-  navigation += "</ul></nav>\n";
-  const std::filesystem::path root(directory);
-  for (const char* part : {"certificates", "figures", "data"}) make_directory(root / part);
-  for (const auto& [label, part] : parts)
-    for (const auto& [name, bytes] : part.files) kernels::write_file((root / name).string(), bytes);
-  kernels::write_file((root / "report.json").string(), j.dump(1) + "\n");
-  // The page last: when it is there, everything it refers to is there too.
-  summary.index = (root / "index.html").string();
-  kernels::write_file(
-      summary.index,
-      head(scheme) + navigation + "<main>\n" + body + "</main>\n" +
-          fmt::format("<footer>twoscale {}. The page is self-contained. Formulas, verdicts and masks are exact "
-                      "or come with a proved bound; pictures are drawn in double precision. The commands are "
-                      "meant to be run in the directory of this page{}.</footer>\n</body>\n</html>\n",
-                      TWOSCALE_VERSION,
-                      options.name.find(".toml") == std::string::npos ? "" : ", with the scheme file there"));
+
+  page.title = scheme.title;
+  page.lead = "<p><code>" + escaped(scheme.id) + "</code>" +
+              (scheme.source.empty() ? "" : ", " + escaped(scheme.source)) + "</p>\n";
+  page.numbers = {{"scheme", scheme.id}};
+  page.footer = fmt::format(
+      "twoscale {}. The page is self-contained. Formulas, verdicts and masks are exact or come with a proved bound; "
+      "pictures are drawn in double precision. The commands are meant to be run in the directory of this page{}.",
+      TWOSCALE_VERSION, options.name.find(".toml") == std::string::npos ? "" : ", with the scheme file there");
+  summary.index = write_page(directory, page);
   return summary;
 }
 

@@ -2,7 +2,7 @@
 // The page about a scheme, section by section: each takes the subject and returns its part of the page.
 #pragma once
 
-#include "document.hpp"
+#include "page.hpp"
 #include "twoscale/lowering/lower.hpp"
 #include "twoscale/reports/scheme_report.hpp"
 
@@ -17,18 +17,20 @@ struct Subject {
   const SchemeReportOptions& options;
   std::string name;    // for commands, quoted for a shell
   std::string values;  // for commands: " --at w=1/16", or nothing
+  std::string prefix;  // of the names of its files, where a page is about several schemes
 };
+
+// Refuses a scheme without a symbol, and a constant without a value.
+Subject subject_of(const Scheme& scheme, const SchemeReportOptions& options);
 
 Part definition(const Subject& s);
 Part parameters(const Subject& s);  // and the space
+Part derivation(const Subject& s);  // empty without a space
 Part claims(const Subject& s, SchemeReportSummary& summary);
-Part smoothness(const Subject& s, SchemeReportSummary& summary);
+Part smoothness(const Subject& s);
 Part spectrum(const Subject& s);
 Part masks(const Subject& s);
-Part pictures(const Subject& s, SchemeReportSummary& summary);
-
-// A certificate: a file beside the page, a link that holds it, what the checker says of it.
-std::string certificate_html(Part& part, const Subject& s, const std::string& name, const std::string& text,
-                             SchemeReportSummary& summary);
+Part play(const Subject& s);
+Part pictures(const Subject& s);
 
 }  // namespace twoscale::reports::scheme_page

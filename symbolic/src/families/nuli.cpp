@@ -77,7 +77,8 @@ Scheme nuli4(const SchemeName& name) {
   s.source = "nuli (3.5)-(3.7)";
   s.claims = {{"interpolatory", "", "nuli (3.7)"},
               {"reproduces", "1, x, x^2", "nuli Proposition 3.1"},
-              {"continuity", "1", "nuli Propositions 3.2, 3.3"}};
+              {"continuity", "1", "nuli Propositions 3.2, 3.3"},
+              {"support", "-3..3", "nuli Proposition 3.4"}};
   const RationalFunction lambda = variable("lambda", 0);
   const Polynomial upper_half = Polynomial(2) * lambda.numerator() - Polynomial(1);
   s.phases = four_point(quadratic_blend(lambda, false));

@@ -33,11 +33,15 @@ struct JunctionCase {
   std::string domain;                // "1/2 <= k <= 1, 0 <= q <= 1/2"
   std::optional<std::string> chart;  // "q = k*s" or "k = q*s": near the crease, s in [0, 1]
   Box box;
-  std::vector<Polynomial> factors;  // in "z": their roots are the eigenvalues that are not 2^{-n}
-  std::vector<RootBound> bounds;    // one for each: are all roots smaller than 2^{-l}?
-  std::vector<Polynomial> plain;    // the factors in alpha, k, q; the same where there is no chart
-  // Where a bound is refuted: its conditions, decided one by one. If exactly one, the value of the polynomial at
-  // 2^{-l}, is not proved, the eigenvalues are inside exactly where that is positive.
+  std::vector<std::string> zeros;        // faces of the box that do not belong to the case
+  Polynomial left, right;                // lambda_{-1}, lambda_0 in the variables of the box
+  long kept = 0;                         // eigenvalues 2^{-n}, n < kept, are not among the roots of the factors
+  std::vector<Polynomial> factors;       // in "z": their roots are the other eigenvalues
+  std::vector<unsigned> multiplicities;  // one for each
+  std::vector<RootBound> bounds;         // one for each: are all roots smaller than 2^{-l}?
+  std::vector<Polynomial> plain;         // the factors in alpha, k, q; the same where there is no chart
+  // Where a bound is refuted: its conditions in their order, decided one by one. If exactly one, the value of the
+  // polynomial at 2^{-l}, is not proved, the eigenvalues are inside exactly where that is positive.
   std::vector<std::pair<Polynomial, Positivity>> conditions;
   std::optional<Polynomial> boundary;  // that value, in alpha, k, q
 };
@@ -50,8 +54,8 @@ struct JunctionVerdict {
 // Are all eigenvalues at a junction but 1, .., 2^{-l} smaller than 2^{-l}, for all alpha > 0 and edge parameters?
 JunctionVerdict decide_junction(const Scheme& scheme, long l);
 
-// Claims of schemes on knots, with certificate: interpolatory; reproduces=1,x,..; continuity=l. Throws Error(bad_input)
-// for other claims.
+// Claims of schemes on knots, with certificate: interpolatory; reproduces=1,x,..; support=a..b; continuity=l. Throws
+// Error(bad_input) for other claims.
 Proof prove_on_knots(const Scheme& scheme, const std::vector<Claim>& claims);
 
 // The stationary scheme on equal knots with all edge parameters at rest. Throws Error(bad_input) for uniform schemes.

@@ -12,6 +12,7 @@
 //   continuity      l (0 if empty)                the limits are C^l (regularity.hpp)
 //   contractive     -                             some power of the difference scheme has norm < 1: C^0
 //   (regularity.hpp)
+// Vertices with derivatives have claims of their own (hermite_claims.hpp).
 // z_n = exp(-theta_n/m^{k+1}). Conditions: Dyn, Levin and Luzzatto 2003; Conti and Romani 2011; the stepwise conditions
 // at every level are what is decided. See docs/certificates.md for the exact statements.
 #pragma once

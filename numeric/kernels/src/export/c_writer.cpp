@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: 0BSD
 // Mask tables as one C99 file that can be included or compiled, with no dependency but <stddef.h>.
-#include "c_source.hpp"
+#include "source.hpp"
 
 namespace twoscale::kernels {
 namespace {
@@ -83,6 +83,8 @@ std::string number(long value) {
   return value < 0 ? std::string("(") + text + ")" : text;
 }
 
+constexpr source::RowStyle row_style{"{", "}", ",", "/* ", " */"};
+
 class CWriter final : public TableWriter {
  public:
   std::string_view name() const override { return "c"; }
@@ -90,26 +92,26 @@ class CWriter final : public TableWriter {
 
   std::string write(const MaskTable& table, const TableOptions& options) const override {
     validate(table);
-    const std::string lower = c_source::prefix(table, options);
-    const std::string upper = c_source::upper_case(lower);
+    const std::string lower = identifier(options.prefix, table.scheme);
+    const std::string upper = source::upper_case(lower);
     const TableGrid grid = common_grid(table);
-    const auto replaced = [&](std::string_view text) { return c_source::substituted(text, lower, upper); };
-    std::string out = c_source::comment_block(table);
+    const auto replaced = [&](std::string_view text) { return source::substituted(text, lower, upper); };
+    std::string out = source::comment_block(table);
     out += replaced("#ifndef $_TABLE\n#define $_TABLE\n\n#include <stddef.h>\n\n");
     out += replaced("#define $_ARITY ") + std::to_string(table.arity) + "\n";
     out += replaced("#define $_LEVELS ") + std::to_string(table.levels.size()) + "\n";
     out += replaced("#define $_LOWEST ") + number(grid.lowest) + "\n";
     out += replaced("#define $_HIGHEST ") + number(grid.highest) + "\n";
     out += replaced("#define $_COUNT ") + std::to_string(grid.highest - grid.lowest + 1) + "\n";
-    out += replaced("#define $_P ") + c_source::shift_expression(table) + "\n";
+    out += replaced("#define $_P ") + source::shift_expression(table) + "\n";
     out += replaced(prototypes);
     out += "\n/* Row k is the step k -> k+1, the last row the limit; the first entry of a row is a_{lowest}.\n   " +
-           c_source::operation_count(table) + " */\n";
+           source::operation_count(table) + " */\n";
     out += replaced("static const double @_mask[$_LEVELS + 1][$_COUNT] = {\n") +
-           c_source::rows(table, options, false, "{", "}") + "};\n";
-    if (c_source::has_long_digits(table)) {
+           source::rows(table, options, false, row_style) + "};\n";
+    if (source::has_long_digits(table)) {
       out += replaced("\nstatic const long double @_mask_long[$_LEVELS + 1][$_COUNT] = {\n") +
-             c_source::rows(table, options, true, "{", "}") + "};\n" + replaced(long_coefficient);
+             source::rows(table, options, true, row_style) + "};\n" + replaced(long_coefficient);
     }
     return out + replaced(functions) + "\n#endif\n";
   }

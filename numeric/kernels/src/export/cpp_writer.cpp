@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: 0BSD
 // Mask tables as one C++20 header: constexpr arrays in a namespace, and a step templated on the real type.
-#include "c_source.hpp"
+#include "source.hpp"
 
 namespace twoscale::kernels {
 namespace {
@@ -70,6 +70,8 @@ constexpr void apply_open(int level, const Real* in, std::size_t n, std::size_t 
 }
 )";
 
+constexpr source::RowStyle row_style{"{{", "}}", ",", "/* ", " */"};
+
 class CppWriter final : public TableWriter {
  public:
   std::string_view name() const override { return "cpp"; }
@@ -77,13 +79,13 @@ class CppWriter final : public TableWriter {
 
   std::string write(const MaskTable& table, const TableOptions& options) const override {
     validate(table);
-    const std::string space = c_source::prefix(table, options);
-    const std::string guard = c_source::upper_case(space) + "_HPP";
+    const std::string space = identifier(options.prefix, table.scheme);
+    const std::string guard = source::upper_case(space) + "_HPP";
     const TableGrid grid = common_grid(table);
-    const bool long_digits = c_source::has_long_digits(table);
+    const bool long_digits = source::has_long_digits(table);
     const std::string rows = std::to_string(grid.value.size());
     const std::string count = std::to_string(grid.highest - grid.lowest + 1);
-    std::string out = c_source::comment_block(table);
+    std::string out = source::comment_block(table);
     out += "#ifndef " + guard + "\n#define " + guard + "\n\n#include <array>\n#include <cstddef>\n";
     if (long_digits) out += "#include <type_traits>\n";
     out += "\nnamespace " + space + " {\n\n";
@@ -91,14 +93,14 @@ class CppWriter final : public TableWriter {
     out += "inline constexpr int levels = " + std::to_string(table.levels.size()) + ";\n";
     out += "inline constexpr long lowest = " + std::to_string(grid.lowest) + ";\n";
     out += "inline constexpr long highest = " + std::to_string(grid.highest) + ";\n";
-    out += "inline constexpr double shift = " + c_source::shift_expression(table) + ";  // p\n\n";
+    out += "inline constexpr double shift = " + source::shift_expression(table) + ";  // p\n\n";
     out += "/// Row k is the step k -> k+1, the last row the limit; the first entry of a row is a_{lowest}.\n/// " +
-           c_source::operation_count(table) + "\n";
+           source::operation_count(table) + "\n";
     out += "inline constexpr std::array<std::array<double, " + count + ">, " + rows + "> mask = {{\n" +
-           c_source::rows(table, options, false, "{{", "}}") + "}};\n";
+           source::rows(table, options, false, row_style) + "}};\n";
     if (long_digits) {
       out += "\ninline constexpr std::array<std::array<long double, " + count + ">, " + rows + "> mask_long = {{\n" +
-             c_source::rows(table, options, true, "{{", "}}") + "}};\n";
+             source::rows(table, options, true, row_style) + "}};\n";
     }
     out += long_digits ? coefficient_long : coefficient_double;
     out += functions;

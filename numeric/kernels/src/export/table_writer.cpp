@@ -10,8 +10,11 @@
 namespace twoscale::kernels {
 
 const std::vector<const TableWriter*>& table_writers() {
-  static const std::vector<const TableWriter*> writers = {&json_table_writer(), &csv_table_writer(), &c_table_writer(),
-                                                          &cpp_table_writer(), &npy_table_writer()};
+  static const std::vector<const TableWriter*> writers = {
+      &json_table_writer(),    &csv_table_writer(),         &c_table_writer(),     &cpp_table_writer(),
+      &python_table_writer(),  &npy_table_writer(),         &julia_table_writer(), &matlab_table_writer(),
+      &glsl_table_writer(),    &typescript_table_writer(),  &latex_table_writer(), &pywavelets_table_writer(),
+      &stencil_table_writer(), &matrixmarket_table_writer()};
   return writers;
 }
 
@@ -30,7 +33,7 @@ std::string write_table(const MaskTable& table, std::string_view format, const T
 }
 
 std::string identifier_of_scheme(std::string_view scheme) {
-  constexpr std::size_t longest = 60;
+  constexpr std::size_t longest = 54;  // with the hash 63, the longest name of MATLAB
   std::string out = "twoscale_";
   std::uint32_t hash = 2166136261u;  // FNV-1a
   for (const char c : scheme) {
@@ -52,12 +55,20 @@ std::string identifier_of_scheme(std::string_view scheme) {
   return out;
 }
 
-namespace {
+std::string identifier(const std::string& prefix, std::string_view scheme) {
+  if (prefix.empty()) return identifier_of_scheme(scheme);
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9'); };
+  if (!letter(prefix[0]) || !std::all_of(prefix.begin(), prefix.end(), inner)) {
+    throw Error(Error::Kind::bad_input, "not an identifier: " + quoted(prefix));
+  }
+  return prefix;
+}
 
-// Printable ASCII on one line, without the marks that begin or end a C comment and without trigraphs.
-std::string plain(std::string_view text) {
+std::string comment_text(std::string_view text) {
   std::string out;
   for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // one mark for a character of several bytes
     const char shown = c >= 0x20 && c < 0x7f ? c : '?';
     if (!out.empty() && ((out.back() == '*' && shown == '/') || (out.back() == '/' && shown == '*') ||
                          (out.back() == '?' && shown == '?'))) {
@@ -65,8 +76,11 @@ std::string plain(std::string_view text) {
     }
     out += shown;
   }
+  if (!out.empty() && out.back() == '\\') out += '.';
   return out;
 }
+
+namespace {
 
 std::string pairs(const std::vector<std::pair<std::string, std::string>>& items) {
   std::string out;
@@ -103,7 +117,7 @@ std::vector<std::string> header_lines(const MaskTable& table) {
     lines.push_back("Tail: for k >= " + std::to_string(table.tail_from) + " no coefficient is further than " +
                     table.tail_bound + " from the limit row");
   }
-  for (std::string& line : lines) line = plain(line);
+  for (std::string& line : lines) line = comment_text(line);
   return lines;
 }
 

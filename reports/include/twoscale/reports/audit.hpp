@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -77,6 +78,15 @@ Result audit(const Item& item);
 // The arguments and the decider of the correction. Required: item.corrected is not empty.
 Arguments corrected_arguments(const Item& item);
 const std::string& corrected_decider(const Item& item);
+
+// audit() of every item, by that many processes at once (1: in this one). `decided` hears of each as soon as it is done,
+// in no certain order. Throws what audit() throws for the first item for which it does; several processes decide all
+// others before.
+void run(const std::vector<Item>& items, int processes, const std::function<void(std::size_t, const Result&)>& decided);
+
+// A result as an object of texts: verdict, evidence, correction, proof. nullopt for anything else.
+nlohmann::ordered_json result_json(const Result& result);
+std::optional<Result> result_from(const nlohmann::ordered_json& json);
 
 // Everything that a result depends on as one line of JSON: the key under which results are kept.
 std::string item_key(const Item& item);

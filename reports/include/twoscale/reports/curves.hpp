@@ -10,6 +10,7 @@
 
 #include "twoscale/kernels/refine.hpp"
 #include "twoscale/lowering/lower.hpp"
+#include "twoscale/reports/plot.hpp"
 #include "twoscale/symbolic/scheme.hpp"
 
 namespace twoscale::reports {
@@ -48,5 +49,9 @@ double total_turning(std::span<const double> plane_points, bool closed);
 // Signed curvature 1/R of the circle through points j-1, j, j+1 of a plane curve, positive for a left turn; NaN at the
 // ends of an open curve and where points coincide.
 std::vector<double> curvature(std::span<const double> plane_points, bool closed);
+
+// Teeth across the curve, as long as its curvature (the longest is a quarter of its size), and the line through their
+// tips; empty if all points coincide.
+std::vector<Line> curvature_comb(std::span<const double> plane_points, bool closed);
 
 }  // namespace twoscale::reports

@@ -6,11 +6,11 @@
 // parametrisations are the paper's.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "twoscale/lowering/parametric_surface.hpp"
+#include "twoscale/reports/papers.hpp"
 
 namespace twoscale::reports::jeong2013 {
 
@@ -37,19 +37,6 @@ struct Surface {
 const std::vector<Surface>& surfaces();
 lowering::ParametricSurface parametric(const Surface& surface);
 
-struct Options {
-  std::function<void(const std::string&)> progress;  // empty: silent
-};
-
-struct Summary {
-  int pictures = 0;
-  int exact_runs = 0;
-  double largest_exact_deviation = 0;
-  std::string index;  // path of the page
-};
-
-// Writes directory/index.html (self-contained: pictures are embedded), and beside it figures/ (SVG), data/ (control
-// points, descriptions of the surfaces) and measurements.json. Makes the directory. Throws Error(io).
-Summary write_report(const std::string& directory, const Options& options);
+PaperSummary write_report(const std::string& directory, const PaperOptions& options);
 
 }  // namespace twoscale::reports::jeong2013

@@ -63,6 +63,17 @@ std::vector<T> bspline_values(const Knots<T>& t, unsigned order, const T& x, lon
 template <class T>
 std::vector<T> fundamental_values(const Knots<T>& t, const FundamentalFamily& family, const T& x, long piece);
 
+// v_{rho,mu,i} = sum_m values[m - lowest] N_{n,m}; the m run over all B-splines that (2.4), (2.6), (2.7) name, so the
+// values at both ends may vanish.
+template <class T>
+struct SplineCoefficients {
+  long lowest = 0;
+  std::vector<T> values;
+};
+// Required: the knots cover the mu + n vertices to the left and right of x_i.
+template <class T>
+SplineCoefficients<T> spline_coefficients(const Knots<T>& t, const FundamentalFamily& family, long i);
+
 // The rule at the middle of the edge 0: p_{2i+1} = sum_h c_h p_{i-mu+1+h}, h = 0 .. mu + right - 1 (nuli (2.17)).
 // Index 0 of d and lambda belongs to the edge `first_edge`; edges that are missing are filled up with d = 1, lambda =
 // 1/2, on which the result does not depend. upper: the middle is taken as lying left of the auxiliary knot, i.e.

@@ -2,11 +2,14 @@
 // Room: the independent checker. What a certificate is about: a mask with its variables, or matrices; spaces.
 #pragma once
 
+#include "twoscale/check/hermite.hpp"
 #include "twoscale/check/json.hpp"
+#include "twoscale/check/knot_rule.hpp"
 #include "twoscale/check/matrix.hpp"
 #include "twoscale/check/number.hpp"
 #include "twoscale/check/polynomial.hpp"
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,15 +28,16 @@ struct Mask {
 
 /// A mask, and what it takes to read one.
 struct Certificate {
-  int arity = 2;                   ///< m
-  std::vector<std::string> names;  ///< of the variables, sorted
-  std::vector<std::size_t> level;  ///< indices of the level variables
+  int arity = 2;                       ///< m
+  std::vector<std::string> names;      ///< of the variables, sorted
+  std::vector<std::size_t> level;      ///< indices of the level variables
   std::vector<std::size_t> constants;  ///< of the others: identities hold for all their values
   std::vector<std::size_t> limits;     ///< of those that tend to 1: scopes level and sequence
-  SmallFraction shift;  ///< p: f^k_j belongs to (j + p)/m^k
-  SmallFraction e;      ///< (m-1)p in lowest terms
+  SmallFraction shift;                 ///< p: f^k_j belongs to (j + p)/m^k
+  SmallFraction e;                     ///< (m-1)p in lowest terms
   Mask mask;
-  bool symmetric = false;  ///< a_{lowest+highest-i} = a_i (found, not read)
+  std::optional<KnotRule> knots;  ///< the rule on arbitrary knots whose mask on equal ones this is
+  bool symmetric = false;         ///< a_{lowest+highest-i} = a_i (found, not read)
 
   /// Exactly one variable, and it belongs to the level: exceptions are angles, otherwise polynomial conditions.
   bool single_level() const { return names.size() == 1 && level.size() == 1; }
@@ -50,7 +54,7 @@ struct Standalone {};
 /// Everything before "claims".
 struct Head {
   std::string scheme;  ///< a label, not checked
-  std::variant<Certificate, Family, Standalone> subject;
+  std::variant<Certificate, Family, HermiteRules, Standalone> subject;
 };
 
 /// x^j exp(theta x), j < order, exp(theta/m^{k+1}) = product of E_i^frequency[i] over the level variables.

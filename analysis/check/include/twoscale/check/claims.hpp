@@ -17,18 +17,32 @@ struct RadiusBounds {
   std::vector<Fraction> list;
 };
 
+/// What the claims so far have established of a rule on knots.
+struct KnotFacts {
+  long degree = -1;          ///< of the polynomials reproduced
+  std::vector<long> orders;  ///< of the claims `junction`
+};
+
 /// For claims about a mask.
 struct Context {
   const Certificate& certificate;
   Identities& identities;
   Meter& meter;
   RadiusBounds& radius;
+  KnotFacts& knots;
 };
 
 /// For claims about matrices.
 struct FamilyContext {
   const Family& family;
   Meter& meter;
+};
+
+/// For claims about the rules of a Hermite scheme.
+struct HermiteContext {
+  const HermiteRules& rules;
+  Meter& meter;
+  HermiteFacts& facts;
 };
 
 /// What was established: `subject` completes the name of the claim, `evidence` says what was verified, `trusted` are
@@ -50,6 +64,15 @@ Finding check_well_defined(const Context& context, Fields& fields, bool proved);
 Finding check_positivity(Meter& meter, Fields& fields, bool proved);
 Finding check_root_bound(Meter& meter, Fields& fields, bool proved);
 
+Finding check_bezier_form(Meter& meter, Fields& fields, bool proved);
+
+/// Rules of a Hermite scheme. The later ones need what the earlier ones establish.
+Finding check_interpolant(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_circle(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_halves(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_hermite_continuity(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_curvature(const HermiteContext& context, Fields& fields, bool proved);
+
 /// The theorem that a claim `positivity` must name: by its method, or by its witness.
 std::string_view positivity_theorem(const Value& claim);
 
@@ -68,6 +91,12 @@ Finding check_nonstationary(const Context& context, Fields& fields, bool proved)
 Finding check_nonnegative_family(const Context& context, Fields& fields, bool proved);
 Finding check_jsr_lower_family(const Context& context, Fields& fields, bool proved);
 Finding check_jsr_family(const Context& context, Fields& fields, bool proved);
+
+/// The claims about a rule on knots, in documents that have one.
+Finding check_knots_reproduces(const Context& context, Fields& fields, bool proved);
+Finding check_knots_support(const Context& context, Fields& fields, bool proved);
+Finding check_junction(const Context& context, Fields& fields, bool proved);
+Finding check_knots_continuity(const Context& context, Fields& fields, bool proved);
 
 /// For kinds of claims that cannot be refuted.
 void require_proved(const Fields& fields, bool proved);

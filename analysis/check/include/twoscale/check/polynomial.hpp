@@ -31,6 +31,9 @@ void add_term(Polynomial& target, const Monomial& monomial, const Integer& amoun
 /// target += factor * x^shift * p.
 void add_scaled(Polynomial& target, const Polynomial& p, const Integer& factor, const Monomial& shift, Meter& meter);
 
+/// a*b.
+Polynomial product(const Polynomial& a, const Polynomial& b, Meter& meter);
+
 /// p/g over Z if the polynomial g (not zero, exponents >= 0) divides p.
 std::optional<Polynomial> quotient(const Polynomial& p, const Polynomial& g, Meter& meter);
 

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -102,15 +101,15 @@ class EdgeRefiner {
       const detail::Window& next = plan.windows[k + 1];
       children *= arity_;
       std::vector<T> out(next.stored() * dim, zero_);
-      std::vector<Step> steps;
+      std::vector<detail::Step<T>> steps;
       for (const auto& rules : rules_) steps.emplace_back(rules[k].mask);
       for (long i = next.first; i <= next.last;) {
         const std::size_t kind = kind_of(floor_div(i, children));
         long end = (floor_div(i, children) + 1) * children;
         while (end <= next.last && kind_of(floor_div(end, children)) == kind) end += children;
         end = std::min(end, next.last + 1);
-        steps[kind](in.data(), w.stored_first, i, static_cast<std::size_t>(end - i), dim,
-                    out.data() + static_cast<std::size_t>(i - next.stored_first) * dim);
+        steps[kind]({in.data(), w.stored_first, dim, i, static_cast<std::size_t>(end - i), dim,
+                     out.data() + static_cast<std::size_t>(i - next.stored_first) * dim, dim});
         i = end;
       }
       if (k + 1 < static_cast<std::size_t>(levels))
@@ -122,35 +121,12 @@ class EdgeRefiner {
   }
 
  private:
-  // One step of consecutive rows.
-  class Step {
-   public:
-    explicit Step(const Mask<T>& mask) : mask_(&mask), vector_(make(mask)) {}
-    void operator()(const T* in, long in_first, long out_first, std::size_t count, std::size_t dim, T* out) const {
-      if constexpr (detail::is_vectorised<T>)
-        vector_(in, in_first, out_first, count, dim, out);
-      else
-        detail::apply_plain(*mask_, in, in_first, out_first, count, dim, out);
-    }
-
-   private:
-    struct None {};
-    static auto make(const Mask<T>& mask) {
-      if constexpr (detail::is_vectorised<T>)
-        return detail::VectorStep<T>(mask.arity, mask.lowest, std::span<const T>(mask.a));
-      else
-        return None{};
-    }
-    const Mask<T>* mask_;
-    std::conditional_t<detail::is_vectorised<T>, detail::VectorStep<T>, None> vector_;
-  };
-
   detail::Plan plan(std::size_t n, int levels, Boundary boundary) const {
     if (levels < 0) detail::fail("levels: " + std::to_string(levels) + " is negative");
     if (static_cast<std::size_t>(levels) > levels_)
       detail::fail(std::to_string(levels) + " levels asked for, but the mask tables have " + std::to_string(levels_));
-    std::vector<detail::LevelShape> shapes(static_cast<std::size_t>(levels), {lowest_, highest_, extension_});
-    return detail::plan_windows(arity_, std::move(shapes), ends_, shift_, n, boundary);
+    std::vector<detail::LevelShape> shapes(static_cast<std::size_t>(levels), {arity_, lowest_, highest_, extension_});
+    return detail::plan_windows(std::move(shapes), ends_, shift_, n, boundary);
   }
 
   void fill(T* stored, const detail::Window& w, std::size_t k, std::size_t dim, Boundary boundary, std::size_t left,

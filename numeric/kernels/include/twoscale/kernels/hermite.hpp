@@ -19,8 +19,14 @@
 //               c2: the rule of w = 1 between diag(1, 1/w, 1/w^2) and diag(1, w, w^2).
 //
 // Number types. T needs + - * / and unary -, a constructor from int, and by argument-dependent lookup sqrt(x), sin(x),
-// cos(x), tan(x), atan2(y, x), estimate(x) (a double near x: decisions between cases are taken on these) and
-// negligible(x, scale) (|x| cannot be told from 0 beside |scale| > 0 in T). double has them here.
+// tan(x), atan2(y, x), and
+//   is_less(a, b, what)   whether a < b: every case of the rules below is decided by it. A type that encloses its value
+//                         throws HermiteUndecided(what) where it cannot tell (with more precision it can, but for a
+//                         tie);
+//   estimate(x)           a double near x, for choices that do not matter for the answer;
+//   negligible(x, scale)  |x| cannot be told from 0 beside |scale| > 0 in T: where an iteration ends;
+//   widened(x, e)         x +- e for a type that encloses, else x.
+// double has them here: its decisions are those of rounded numbers.
 #pragma once
 
 #include <algorithm>
@@ -29,6 +35,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -51,19 +58,24 @@ struct HermiteData {
   std::size_t size() const { return dim == 0 ? 0 : f.size() / dim; }
 };
 
+/// A case that a number type could not decide; what() completes "cannot decide whether".
+struct HermiteUndecided : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+inline bool is_less(double a, double b, const char*) { return a < b; }
 inline double estimate(double x) { return x; }
 inline bool negligible(double x, double scale) { return std::abs(x) <= 1e-17 * std::abs(scale); }
+inline double widened(double x, double) { return x; }
 
 namespace hermite_detail {
 
 using std::atan2;
-using std::cos;
 using std::sin;
 using std::sqrt;
 using std::tan;
 
 constexpr double pi_estimate = 3.141592653589793;
-constexpr double widest_fit = 5.5;
 
 [[noreturn]] inline void refuse(const std::string& message) { throw Error(Error::Kind::bad_input, message); }
 
@@ -102,6 +114,18 @@ template <class T>
 Vector<double> estimates(const Vector<T>& a) {
   return {{estimate(a.c[0]), estimate(a.c[1]), estimate(a.c[2])}};
 }
+/// 10^-digits.
+template <class T>
+T tiny(int digits) {
+  T x(1);
+  for (int i = 0; i < digits; ++i) x = x / T(10);
+  return x;
+}
+/// |a| <= |b|.
+template <class T>
+bool within(const T& a, const T& b, const char* what) {
+  return !is_less(b * b, a * a, what);
+}
 
 /// The centre of the circle through three points (S.1); they must not be collinear.
 template <class T>
@@ -115,7 +139,10 @@ Vector<T> circumcentre(const Vector<T>& a, const Vector<T>& b, const Vector<T>& 
   return b + t1 * (a - b) + t3 * (c - b);
 }
 
-/// Unit eigenvector of the smallest eigenvalue of the symmetric matrix m, by Jacobi rotations.
+/// Unit eigenvector of the smallest eigenvalue of the symmetric matrix m, by Jacobi rotations. They are exactly
+/// orthogonal; what they leave beside the diagonal is added as an error bound where the type encloses. In double: a
+/// small multiple of the rounding unit times trace over gap, not bounded here. Refused if the gap is below 1e-12 of the
+/// trace.
 template <class T>
 Vector<T> least_direction(std::array<std::array<T, 3>, 3> m) {
   std::array<std::array<T, 3>, 3> v = {{{T(1), T(0), T(0)}, {T(0), T(1), T(0)}, {T(0), T(0), T(1)}}};
@@ -156,8 +183,25 @@ Vector<T> least_direction(std::array<std::array<T, 3>, 3> m) {
   std::size_t least = 0;
   for (std::size_t k = 1; k < 3; ++k)
     if (estimate(m[k][k]) < estimate(m[least][least])) least = k;
-  const Vector<T> n = {{v[0][least], v[1][least], v[2][least]}};
-  return (T(1) / norm(n)) * n;
+  Vector<T> n = {{v[0][least], v[1][least], v[2][least]}};
+  n = (T(1) / norm(n)) * n;
+  // In the rotated axes m = diag + rest, the diagonal of rest 0, |rest| <= off: the least eigenvalue is not above the
+  // least entry, so the component k of its unit eigenvector is at most off over the gap to the entry k, and the vector
+  // moves by less than twice the sum of these.
+  T square(0);
+  for (std::size_t p = 0; p < 3; ++p)
+    for (std::size_t q = 0; q < 3; ++q)
+      if (p != q) square = square + m[p][q] * m[p][q];
+  T turn(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k == least) continue;
+    const T gap = m[k][k] - m[least][least];
+    if (is_less(gap, tiny<T>(12) * trace, "the points have one plane of least squares"))
+      refuse("the points have no plane of least squares: give sigma, p and r");
+    turn = turn + T(2) * sqrt(square) / gap;
+  }
+  for (auto& x : n.c) x = widened(x, turn);
+  return n;
 }
 
 /// s = tan(sigma/8) (13).
@@ -213,24 +257,27 @@ HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool
     for (std::size_t c = 0; c < dim; ++c) f[i].c[c] = points[i * dim + c];
     e[i] = estimates(f[i]);
   }
-  const auto distance = [](const Vector<double>& a, const Vector<double>& b) { return norm(a - b); };
-  double size = 0;
-  double far = 0;
+  const auto distance = [](const auto& a, const auto& b) { return norm(a - b); };
+  // The vertices that measure the data: any that are nearly the farthest do.
   std::size_t farthest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (const double d = distance(e[i], e[0]); d > size) size = d, farthest = i;
-    far = std::max(far, norm(e[i]));
+  std::size_t outermost = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (distance(e[i], e[0]) > distance(e[farthest], e[0])) farthest = i;
+    if (norm(e[i]) > norm(e[outermost])) outermost = i;
   }
-  if (n > 1 && !(size > 0)) refuse("all points are equal");
+  if (n > 1 && !(distance(e[farthest], e[0]) > 0)) refuse("all points are equal");
   if (n < 3) refuse("a Hermite curve needs at least 3 points, not " + std::to_string(n));
+  const T size = distance(f[farthest], f[0]);
+  const T far = norm(f[outermost]);
   for (std::size_t i = 0; i + (closed ? 0U : 1U) < n; ++i)
-    if (distance(e[i], e[(i + 1) % n]) <= 1e-14 * size)
+    if (!is_less(tiny<T>(14) * size, distance(f[i], f[(i + 1) % n]), "two points are equal"))
       refuse("points " + std::to_string(i) + " and " + std::to_string((i + 1) % n) + " are equal");
   double widest = 0;
-  std::size_t apex = 0;
+  std::size_t apex = farthest == 1 ? 2 : 1;
   for (std::size_t i = 0; i < n; ++i)
     if (const double area = norm(cross(e[farthest] - e[0], e[i] - e[0])); area > widest) widest = area, apex = i;
-  if (widest <= 1e-12 * size * size) refuse("all points lie on a line");
+  const T spread = norm(cross(f[farthest] - f[0], f[apex] - f[0]));
+  if (!is_less(tiny<T>(12) * size * size, spread, "all points lie on a line")) refuse("all points lie on a line");
 
   // Centre and plane.
   HermiteAngles<T> out;
@@ -238,25 +285,26 @@ HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool
   Vector<T> normal = {{T(0), T(0), T(1)}};
   bool plane = true;
   if (dim == 3) {
-    normal = cross(f[farthest] - f[0], f[apex] - f[0]);
-    normal = (T(1) / norm(normal)) * normal;
-    const Vector<double> approximate = estimates(normal);
-    for (const auto& x : e) plane = plane && std::abs(dot(x - e[0], approximate)) <= 1e-12 * (size + far);
+    normal = (T(1) / spread) * cross(f[farthest] - f[0], f[apex] - f[0]);
+    for (const auto& x : f)
+      plane = plane && within(dot(x - f[0], normal), tiny<T>(12) * (size + far), "the points lie in a plane");
   }
-  const Vector<double> triple_estimate = estimates(triple);
-  const double radius = distance(e[0], triple_estimate);
-  out.circle = plane && radius <= 1e4 * size;
-  for (const auto& x : e)
-    out.circle = out.circle && std::abs(distance(x, triple_estimate) - radius) <= 1e-12 * (radius + far);
+  const T radius = distance(f[0], triple);
+  out.circle = plane && !is_less(T(10000) * size, radius, "the points lie on a circle");
+  for (const auto& x : f)
+    out.circle =
+        out.circle && within(distance(x, triple) - radius, tiny<T>(12) * (radius + far), "the points lie on a circle");
   if (out.circle) {
     out.centre = triple;
   } else {
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n;
       const std::size_t after = (i + 1) % n;
-      const double area = norm(cross(e[before] - e[i], e[i] - e[after]));
-      const double sides = distance(e[before], e[i]) * distance(e[i], e[after]) * distance(e[before], e[after]);
-      const bool straight = area * 200 * size <= sides || area <= 1e-14 * size * size;
+      const T area = norm(cross(f[before] - f[i], f[i] - f[after]));
+      const T sides = distance(f[before], f[i]) * distance(f[i], f[after]) * distance(f[before], f[after]);
+      const char* const what = "three points count as collinear";
+      const bool straight =
+          !is_less(tiny<T>(14) * size * size, area, what) || !is_less(sides, T(200) * area * size, what);
       out.centre = out.centre + (straight ? f[i] : circumcentre(f[before], f[i], f[after]));
     }
     for (auto& x : out.centre.c) x = x / T(static_cast<int>(n));
@@ -271,11 +319,12 @@ HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool
     }
   }
   {
-    const Vector<double> m = estimates(normal);
-    const double sign = std::abs(m.c[2]) > 1e-12 ? m.c[2] : std::abs(m.c[1]) > 1e-12 ? m.c[1] : m.c[0];
-    if (sign < 0) normal = T(-1) * normal;
+    const char* const what = "the plane is vertical";
+    const auto flat = [&](std::size_t c) { return within(normal.c[c], tiny<T>(12), what); };
+    const std::size_t up = !flat(2) ? 2 : !flat(1) ? 1 : 0;
+    if (is_less(normal.c[up], T(0), what)) normal = T(-1) * normal;
     out.e1 = {{T(1), T(0), T(0)}};
-    if (dim == 3 && m.c[2] * m.c[2] + m.c[0] * m.c[0] > 1e-24) {
+    if (dim == 3 && is_less(tiny<T>(24), normal.c[2] * normal.c[2] + normal.c[0] * normal.c[0], what)) {
       out.e1 = {{normal.c[2], T(0), -normal.c[0]}};
       out.e1 = (T(1) / norm(out.e1)) * out.e1;
     } else if (dim == 3) {
@@ -285,68 +334,79 @@ HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool
   }
 
   // Angles (S.4), in the direction in which the polygon turns.
-  const Vector<double> b = estimates(out.centre);
-  const auto angle = [&](std::size_t i) {
-    return std::atan2(dot(e[i] - b, estimates(out.e2)), dot(e[i] - b, estimates(out.e1)));
-  };
   std::vector<bool> central(n);
-  double outside = 0;
+  std::size_t outside = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    central[i] = distance(e[i], b) <= 1e-9 * size;
+    central[i] = !is_less(tiny<T>(9) * size, distance(f[i], out.centre), "a vertex lies at the centre");
     if (!central[i]) ++outside;
   }
   if (outside < 2) refuse("the points lie at the centre of their circles");
-  // What the steps add up to when all of them go forwards, in either direction; then the area, then the first step.
-  double forwards = 0;
-  double backwards = 0;
-  double area = 0;
-  double first_step = 0;
-  std::size_t last = n;
-  for (std::size_t k = 0; k < n + (closed ? 1U : 0U); ++k) {
-    const std::size_t i = k % n;
-    if (central[i]) continue;
-    if (last < n && last != i) {
-      double gap = std::remainder(angle(i) - angle(last), 2 * pi_estimate);
-      if (std::abs(gap) < 1e-9) gap = 0;
-      forwards += gap > 0 ? gap : gap + 2 * pi_estimate;
-      backwards += gap < 0 ? -gap : 2 * pi_estimate - gap;
-      area += norm(e[last] - b) * norm(e[i] - b) * std::sin(gap);
-      if (first_step == 0) first_step = gap;
-    }
-    last = i;
-  }
-  const double doubt = 1e-6;
-  if (std::abs(forwards - backwards) > doubt ? backwards < forwards
-      : std::abs(area) > doubt * size * size ? area < 0
-                                             : first_step < 0)
-    out.e2 = T(-1) * out.e2;
   const T half = pi(points[0]);
   const T turn = T(2) * half;
+  // The angle in (-pi, pi], on the negative axis either end of it.
+  struct Angle {
+    T value;
+    bool axis;  // on the negative axis
+  };
+  const auto angle = [&](std::size_t i) {
+    const T x = dot(f[i] - out.centre, out.e1);
+    const T y = dot(f[i] - out.centre, out.e2);
+    if (estimate(x) >= 0) return Angle{atan2(y, x), false};
+    if (within(y, tiny<T>(13) * x, "a vertex lies on the axis of sigma")) return Angle{atan2(-y, -x) - half, true};
+    const bool above = is_less(T(0), y, "a vertex lies on the axis of sigma");
+    return Angle{atan2(-y, -x) + (above ? half : -half), false};
+  };
+  {
+    // What the steps add up to when all of them go forwards, in either direction; then the area, then the first step.
+    const char* const what = "the polygon turns left or right";
+    T forwards(0);
+    T backwards(0);
+    T area(0);
+    int first_step = 0;
+    std::size_t last = n;
+    T last_angle(0);
+    for (std::size_t k = 0; k < n + (closed ? 1U : 0U); ++k) {
+      const std::size_t i = k % n;
+      if (central[i]) continue;
+      const T now = angle(i).value;
+      if (last < n && last != i) {
+        T gap = now - last_angle;
+        gap = gap - T(static_cast<int>(std::lround(estimate(gap) / (2 * pi_estimate)))) * turn;
+        int sign = 0;
+        if (!within(gap, tiny<T>(9), what)) sign = is_less(T(0), gap, what) ? 1 : -1;
+        if (sign == 0) gap = T(0);
+        forwards = forwards + (sign > 0 ? gap : gap + turn);
+        backwards = backwards + (sign < 0 ? -gap : turn - gap);
+        area = area + norm(f[last] - out.centre) * norm(f[i] - out.centre) * sin(gap);
+        if (first_step == 0) first_step = sign;
+      }
+      last = i;
+      last_angle = now;
+    }
+    const T difference = backwards - forwards;
+    const bool reversed = !within(difference, tiny<T>(6), what)           ? is_less(difference, T(0), what)
+                          : !within(area, tiny<T>(6) * size * size, what) ? is_less(area, T(0), what)
+                                                                          : first_step < 0;
+    if (reversed) out.e2 = T(-1) * out.e2;
+  }
   out.sigma.assign(n, T(0));
-  double before = -std::numeric_limits<double>::infinity();
+  const char* const one_ray = "two vertices lie on one ray";
+  std::size_t before = n;
   int turns = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (central[i]) continue;
-    const T x = dot(f[i] - out.centre, out.e1);
-    const T y = dot(f[i] - out.centre, out.e2);
-    const double dx = estimate(x);
-    const double dy = estimate(y);
     // On the negative axis: pi, at vertex 0 -pi.
-    const bool axis = dx < 0 && std::abs(dy) <= 1e-13 * std::abs(dx);
-    T s = dx >= 0 ? atan2(y, x) : atan2(-y, -x) + ((axis ? i > 0 : dy > 0) ? half : -half);
-    const double start = estimate(s);
-    while (start + 2 * pi_estimate * turns <= before + 1e-9) ++turns;
-    s = s + T(turns) * turn;
-    before = estimate(s);
-    out.sigma[i] = s;
+    const Angle a = angle(i);
+    const T s = a.axis && i > 0 ? a.value + turn : a.value;
+    while (before < n && !is_less(out.sigma[before] + tiny<T>(9), s + T(turns) * turn, one_ray)) ++turns;
+    out.sigma[i] = s + T(turns) * turn;
+    before = i;
   }
-  const auto ascent = [&](std::size_t from, std::size_t to) {
-    return estimate(out.sigma[to]) - estimate(out.sigma[from]);
-  };
+  const auto ascent = [&](std::size_t from, std::size_t to) { return out.sigma[to] - out.sigma[from]; };
   std::size_t first = 0;
   while (central[first]) ++first;
   int windings = 1;
-  while (estimate(out.sigma[first]) + 2 * pi_estimate * windings <= before + 1e-9) ++windings;
+  while (!is_less(out.sigma[before] + tiny<T>(9), out.sigma[first] + T(windings) * turn, one_ray)) ++windings;
   out.period = T(windings) * turn;
   for (std::size_t i = 0; i < n; ++i) {
     if (!central[i]) continue;
@@ -369,18 +429,23 @@ HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool
     const T origin = out.sigma[0];
     for (auto& s : out.sigma) s = (s - origin) / T(windings) - half;
     out.period = turn;
-  } else if (!out.circle && !closed && (invariant ? ascent(0, n - 1) > 2 * pi_estimate : turns > 1)) {
+  } else if (!out.circle && !closed &&
+             (invariant ? is_less(turn + tiny<T>(9), ascent(0, n - 1), "the polygon makes more than a turn")
+                        : turns > 1)) {
     const T origin = out.sigma[0];
     const T range = out.sigma[n - 1] - origin;
     for (auto& s : out.sigma) s = (s - origin) * turn / range - half;
-  } else if ((closed ? windings == 1 : turns <= 1) && estimate(out.sigma[n - 1]) >= 2 * pi_estimate) {
+  } else if ((closed ? windings == 1 : turns <= 1) &&
+             !is_less(out.sigma[n - 1], turn - tiny<T>(9), "sigma passes 2 pi")) {
     for (auto& s : out.sigma) s = s - turn;
   }
-  double least = closed ? estimate(out.period) - ascent(0, n - 1) : std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < n; ++i) least = std::min(least, ascent(i, i + 1));
-  const double total = closed ? estimate(out.period) : ascent(0, n - 1);
+  T least = closed ? out.period - ascent(0, n - 1) : ascent(0, 1);
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    if (estimate(ascent(i, i + 1)) < estimate(least)) least = ascent(i, i + 1);
+  const T total = closed ? out.period : ascent(0, n - 1);
   const std::size_t edges = closed ? n : n - 1;
-  if (!out.circle && least * 64 * static_cast<double>(edges) < total) {
+  if (!out.circle &&
+      is_less(T(64) * T(static_cast<int>(edges)) * least, total, "a step is smaller than 1/64 of the mean step")) {
     std::vector<T> length = {T(0)};
     for (std::size_t i = 0; i < edges; ++i) length.push_back(length[i] + norm(f[(i + 1) % n] - f[i]));
     for (std::size_t i = 0; i < n; ++i) out.sigma[i] = turn * length[i] / length[edges] - half;
@@ -487,14 +552,15 @@ template <class T>
 class HermiteCurve {
  public:
   /// Finds what `data` leaves open: sigma by Algorithm 1 (with the data's own axis when p and r are to be found too); p
-  /// and r from the circle the points lie on, else from the function A + B cos(sigma) + C sin(sigma) through the vertex
-  /// and its two neighbours (at the end of an open curve, the next two), which is exact on circles; where the three
-  /// span more than 5.5 in sigma, from a parabola in sigma. Errors: unusable points (hermite_angles); sigma given and
-  /// not ascending; p, r given at a pole of t; edges longer than a chart; w <= 0, and w >= w* with the printed tension.
+  /// and r from the circle the points lie on, else from the circle through the vertex and its two neighbours (at the
+  /// end of an open curve, the next two): its tangent and curvature, and for |f_sigma| the harmonic mean of chord/(2
+  /// sin(step/2)) of the two edges (chord/step beyond 5.5), exact on circles; 0 where the neighbours are one point.
+  /// Errors: unusable points (hermite_angles); sigma given and not ascending; p, r given at a pole of t; edges longer
+  /// than a chart; w <= 0, and w >= w* with the printed tension; HermiteUndecided.
   HermiteCurve(HermiteData<T> data, const T& w, HermiteRuleTension tension)
       : data_(std::move(data)), w_(w), tension_(tension), omega_(tension == HermiteRuleTension::c2 ? w : T(1)) {
     using namespace hermite_detail;
-    if (!(estimate(w_) > 0)) refuse("the tension w must be positive");
+    if (!is_less(T(0), w_, "the tension w is positive")) refuse("the tension w must be positive");
     const std::size_t n = data_.size();
     const std::size_t dim = data_.dim;
     const bool given = !data_.p.empty();
@@ -506,29 +572,37 @@ class HermiteCurve {
       (void)hermite_angles<T>(data_.f, dim, data_.closed, false);  // refuses unusable points
       angles.sigma = data_.sigma;
       for (std::size_t i = 0; i + 1 < n; ++i)
-        if (!(estimate(angles.sigma[i]) < estimate(angles.sigma[i + 1])))
+        if (!is_less(angles.sigma[i] + tiny<T>(30), angles.sigma[i + 1], "sigma ascends"))
           refuse("sigma must ascend, but does not after point " + std::to_string(i));
       int turns = 1;
-      while (estimate(angles.sigma[0]) + 2 * pi_estimate * turns <= estimate(angles.sigma[n - 1]) + 1e-12) ++turns;
-      angles.period = T(2 * turns) * pi(data_.f[0]);
+      const T turn = T(2) * pi(data_.f[0]);
+      while (!is_less(angles.sigma[n - 1] + tiny<T>(12), angles.sigma[0] + T(turns) * turn, "sigma makes a full turn"))
+        ++turns;
+      angles.period = T(turns) * turn;
     }
     data_.sigma = angles.sigma;
     for (auto& s : data_.sigma) s = s - T(2 * own_shift(s, given)) * pi(s);
     if (given)
       for (std::size_t i = 0; i < n; ++i) {
-        if (std::abs(std::remainder(estimate(data_.sigma[i]) - 2 * pi_estimate, 4 * pi_estimate)) < 1e-9)
+        const T turn = T(2) * pi(data_.f[0]);
+        const T off = data_.sigma[i] - turn;
+        const int periods = static_cast<int>(std::lround(estimate(off) / (4 * pi_estimate)));
+        if (within(off - T(2 * periods) * turn, tiny<T>(9), "sigma is 2 pi"))
           refuse("p and r have no meaning at point " + std::to_string(i) + ", where sigma is 2*pi");
       }
     else
       derive(angles);
     const std::size_t edges = data_.closed ? n : n - 1;
+    bool below = true;
     for (std::size_t i = 0; i < edges; ++i) {
       Edge edge;
       edge.sigma[0] = angles.sigma[i];
       edge.sigma[1] = i + 1 < n ? angles.sigma[i + 1] : angles.sigma[0] + angles.period;
       const double middle = (estimate(edge.sigma[0]) + estimate(edge.sigma[1])) / 2;
       const auto inside = [&] {
-        return estimate(edge.sigma[0]) > -2 * pi_estimate + 1e-6 && estimate(edge.sigma[1]) < 2 * pi_estimate - 1e-6;
+        const T limit = T(2) * pi(edge.sigma[0]) - tiny<T>(6);
+        const char* const what = "an edge lies within 2 pi of sigma = 0";
+        return is_less(-limit, edge.sigma[0], what) && is_less(edge.sigma[1], limit, what);
       };
       if (!inside()) {
         const T shift = T(2 * static_cast<int>(std::lround(middle / (2 * pi_estimate)))) * pi(edge.sigma[0]);
@@ -537,11 +611,12 @@ class HermiteCurve {
       if (!inside()) refuse("the edge after point " + std::to_string(i) + " turns too far in sigma");
       const T v = slope(edge.sigma[0]);
       const T u = slope(edge.sigma[1]);
-      const double pole = estimate((T(1) - v) / (u - v));
-      first_pole_ = std::min(first_pole_, pole);
+      const T pole = (T(1) - v) / (u - v);
+      first_pole_ = std::min(first_pole_, estimate(pole));
+      below = below && (tension_ != HermiteRuleTension::printed || is_less(w_, pole, "w is below the first pole"));
       edges_.push_back(std::move(edge));
     }
-    if (tension_ == HermiteRuleTension::printed && estimate(w_) >= first_pole_)
+    if (!below)
       refuse("the tension w = " + std::to_string(estimate(w_)) +
              " is not below the first pole of these data, w* = " + std::to_string(first_pole_));
   }
@@ -594,9 +669,10 @@ class HermiteCurve {
 
   // Multiple of 2 pi between the parameter of a vertex and the chart of its p and r: a given p is in t(sigma) itself.
   static int own_shift(const T& sigma, bool given) {
-    const double s = estimate(sigma);
-    if (given || std::abs(s) < 2 * hermite_detail::pi_estimate - 1e-6) return 0;
-    return static_cast<int>(std::lround(s / (2 * hermite_detail::pi_estimate)));
+    using namespace hermite_detail;
+    if (given || !is_less(T(2) * pi(sigma) - tiny<T>(6), estimate(sigma) < 0 ? -sigma : sigma, "sigma passes 2 pi"))
+      return 0;
+    return static_cast<int>(std::lround(estimate(sigma) / (2 * pi_estimate)));
   }
 
   static void append(HermiteData<T>& out, const HermiteData<T>& from, std::size_t i) {
@@ -615,7 +691,7 @@ class HermiteCurve {
     const std::size_t n = data_.size();
     const std::size_t dim = data_.dim;
     for (std::size_t i = 0; i < n; ++i) {
-      const auto [rate, bend] = rates(data_.sigma[i]);
+      const auto [rate, rate2] = rates(data_.sigma[i]);
       std::array<T, 3> first = {T(0), T(0), T(0)};
       std::array<T, 3> second = {T(0), T(0), T(0)};
       if (angles.circle) {
@@ -627,41 +703,53 @@ class HermiteCurve {
           second[c] = -d.c[c];
         }
       } else {
-        std::array<std::size_t, 2> other;
-        std::array<T, 2> gap;
-        const auto relative = [&](long k) {  // index and sigma of vertex k, from i
+        const auto relative = [&](long k) {  // vertex k from i: position and sigma
           const auto count = static_cast<long>(n);
-          const long turn = k < 0 ? -1 : k >= count ? 1 : 0;
-          const auto index = static_cast<std::size_t>(k - turn * count);
-          return std::pair<std::size_t, T>(
-              index, angles.sigma[index] + T(static_cast<int>(turn)) * angles.period - angles.sigma[i]);
+          const long round = k < 0 ? -1 : k >= count ? 1 : 0;
+          const auto index = static_cast<std::size_t>(k - round * count);
+          std::pair<Vector<T>, T> other;
+          for (std::size_t c = 0; c < dim; ++c) other.first.c[c] = data_.f[index * dim + c] - data_.f[i * dim + c];
+          other.second = angles.sigma[index] + T(static_cast<int>(round)) * angles.period - angles.sigma[i];
+          return other;
         };
         const long at = static_cast<long>(i);
         const bool start = !data_.closed && i == 0;
         const bool end = !data_.closed && i + 1 == n;
-        std::tie(other[0], gap[0]) = relative(start ? 1 : end ? at - 2 : at - 1);
-        std::tie(other[1], gap[1]) = relative(start ? 2 : end ? at - 1 : at + 1);
-        std::array<T, 2> slope = {sin(gap[0]), sin(gap[1])};
-        std::array<T, 2> curve = {T(1) - cos(gap[0]), T(1) - cos(gap[1])};
-        // Near a full turn from end to end the function is not determined well: a parabola in sigma.
-        const double reach =
-            std::max({std::abs(estimate(gap[0])), std::abs(estimate(gap[1])), std::abs(estimate(gap[1] - gap[0]))});
-        if (reach > widest_fit) {
-          slope = gap;
-          curve = {gap[0] * gap[0] / T(2), gap[1] * gap[1] / T(2)};
-        }
-        const T determinant = slope[0] * curve[1] - slope[1] * curve[0];
-        for (std::size_t c = 0; c < dim; ++c) {
-          const T a = data_.f[other[0] * dim + c] - data_.f[i * dim + c];
-          const T b = data_.f[other[1] * dim + c] - data_.f[i * dim + c];
-          first[c] = (a * curve[1] - b * curve[0]) / determinant;
-          second[c] = (slope[0] * b - slope[1] * a) / determinant;
+        const auto one = relative(start ? 1 : end ? at - 2 : at - 1);
+        const auto two = relative(start ? 2 : end ? at - 1 : at + 1);
+        // Inversion about the vertex maps the circle through the three to a line: its direction is the tangent, half of
+        // the curvature vector its nearest point.
+        const Vector<T> a = (T(1) / dot(one.first, one.first)) * one.first;
+        const Vector<T> b = (T(1) / dot(two.first, two.first)) * two.first;
+        const Vector<T> d = start || end ? a - b : b - a;
+        // |f_sigma| is the radius of the circle with this chord over this range of sigma; of two the harmonic mean.
+        const auto radius = [&](const std::pair<Vector<T>, T>& other) {
+          const T gap = estimate(other.second) < 0 ? -other.second : other.second;
+          return norm(other.first) /
+                 (is_less(T(11) / T(2), gap, "an edge is wider than 5.5 in sigma") ? gap : T(2) * sin(gap / T(2)));
+        };
+        const T square = dot(d, d);
+        if (is_less(tiny<T>(18) * (dot(a, a) + dot(b, b)), square, "a vertex has equal neighbours")) {
+          T speed(0);
+          if (start || end) {
+            speed = radius(start ? one : two);
+          } else {
+            const T left = radius(one);
+            const T right = radius(two);
+            speed = T(2) * left * right / (left + right);
+          }
+          const Vector<T> tangent = (speed / sqrt(square)) * d;
+          const Vector<T> bend = (T(2) * speed * speed) * (a - (dot(a, d) / square) * d);
+          for (std::size_t c = 0; c < dim; ++c) {
+            first[c] = tangent.c[c];
+            second[c] = bend.c[c];
+          }
         }
       }
       for (std::size_t c = 0; c < dim; ++c) {
         const T p = first[c] / rate;
         data_.p.push_back(p);
-        data_.r.push_back((second[c] - p * bend) / (rate * rate));
+        data_.r.push_back((second[c] - p * rate2) / (rate * rate));
       }
     }
   }

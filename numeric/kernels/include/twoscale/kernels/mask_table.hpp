@@ -7,6 +7,7 @@
 // This header holds no algorithm: numeric/lowering fills a MaskTable, `refine` and the writers of export/ read it.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,12 @@ struct MaskRow {
   long highest() const { return lowest + static_cast<long>(value.size()) - 1; }
 };
 
+/// A two-channel filter bank: dec_lo, dec_hi, rec_lo, rec_hi of one length, index origin 0.
+struct FilterRow {
+  std::array<std::vector<std::string>, 4> text;  ///< as MaskRow::text
+  std::array<std::vector<double>, 4> value;
+};
+
 /// Masks of the steps 0..K-1, the limit mask, a bound on what lies between, and the provenance.
 struct MaskTable {
   std::string scheme;       ///< id with its keys, as the user may type it
@@ -45,6 +52,8 @@ struct MaskTable {
   MaskRow limit;                ///< the mask as k -> infinity
   int tail_from = 0;            ///< K
   std::string tail_bound;       ///< proved: max over k >= K and i of |a^{[k]}_i - a_i|; "0" when stationary
+
+  std::vector<FilterRow> filters;  ///< empty, or the banks of the steps 0..K-1 and of the limit
 
   std::string recurrence;  ///< how the next level follows, e.g. "v^{k+1} = sqrt((1+v^k)/2)"; empty if none
   std::string printed;  ///< what the numbers are, when not a^{[k]}_i itself: "a^{[k]}_i/2"; not fit for refinement then

@@ -18,7 +18,8 @@
 // for lambda in [0, 1].
 //
 // Intervals of length 0 are allowed between coinciding points: V_j = 0, the limit of the centripetal parametrisation,
-// and a divided difference over an interval of length 0 is 0.
+// and a divided difference over an interval of length 0 is 0. D_j over three
+// coinciding points depends on how they part, but its weight tends to 0: the rule is the limit all the same.
 //
 // Ends of open polygons
 //   given    2 (nuli4, lagrange4) or 4 (nuli6) points of the input lie beyond each end; the curve runs between the
@@ -30,6 +31,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -91,6 +93,7 @@ void validate(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary);
 namespace detail {
 
 [[noreturn]] void fail_knots(const std::string& message);
+std::string number(double value);
 
 // A vector with an index that may start below 0.
 template <class T>
@@ -275,6 +278,28 @@ struct KnotOptions {
   /// Knot intervals are taken from the points before every step (Dyn, Floater and Hormann 2009), not halved.
   bool reparametrize = false;
 };
+
+/// The columns of points on knots; all that are not named are coordinates.
+struct KnotColumns {
+  std::vector<std::size_t> coordinates;
+  std::optional<std::size_t> lambda, d, tag;
+};
+/// Throws Error (bad_input): no coordinate, no column d of given intervals, given intervals taken from the points at
+/// every step, more than 2^31 points out.
+KnotColumns knot_columns(const PointSet& points, const KnotOptions& options);
+/// The tags that a column holds, row by row, else default_tags. Throws Error (bad_input) for one that is not 0 or 1.
+template <class T>
+std::vector<unsigned char> tags_of(const PointSet& points, const KnotColumns& columns, const KnotPolygon<T>& p) {
+  if (!columns.tag) return default_tags(p);
+  std::vector<unsigned char> tags;
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    const double tag = points.values[j * points.dim + *columns.tag];
+    if (tag != 0 && tag != 1)
+      detail::fail_knots("a tag is neither 0 nor 1 in row " + std::to_string(j + 1) + ": " + detail::number(tag));
+    tags.push_back(tag != 0 ? 1 : 0);
+  }
+  return tags;
+}
 
 /// Refines points with the columns of a file: `lambda` and `d` of the edge that starts at the point, `tag` (0 or 1),
 /// all others are coordinates. Without `lambda` it is 1/2; `d` is read only for Parametrization::given; without `tag`

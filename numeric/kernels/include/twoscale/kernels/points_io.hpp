@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,14 @@ std::string to_svg(const PointSet& points, bool closed);
 
 /// One of the five above. Throws Error (bad_input) when the points do not fit the format (columns, empty set).
 std::string points_to_bytes(const PointSet& points, PointFormat format, bool closed);
+
+/// CSV and NPY in pieces: points_head, then append_points for consecutive rows gives the bytes of points_to_bytes for a
+/// set of `count` points without tokens.
+constexpr bool in_pieces(PointFormat format) { return format == PointFormat::csv || format == PointFormat::npy; }
+std::string points_head(PointFormat format, const std::vector<std::string>& columns, std::size_t dim,
+                        std::size_t count);
+/// Throws Error (bad_input) for a number that is not finite.
+void append_points(std::string& out, PointFormat format, std::span<const double> values, std::size_t dim);
 
 /// points_to_bytes by the suffix of `path`, then write_file.
 void write_points(const std::string& path, const PointSet& points, bool closed);

@@ -32,11 +32,19 @@
 //
 // Number types. T needs `+` and `*` with T as the result, copies, and a conversion of coefficients by a functor
 // convert(const std::string& text, double value) -> T (a ball or multiprecision type reads the text, double the value).
-// double and float run in vectorised, cache-sized pieces that give the same bits as the plain loop.
+//
+// Execution. Any piece of the output is computed by itself: the windows of the coarser levels that it depends on, then
+// level after level inside a scratch of its own (class Tile). Numbers of other types run as one piece; double and float
+// run in pieces that fit the second cache, on vector instructions and several threads. A finished piece is written
+// once, past the caches when the output is larger than half of the last one. Every number is computed by the same
+// operations in the same order whatever the piece, so the bits depend neither on tiles, threads nor instruction set.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -98,6 +106,14 @@ struct Mask {
   long highest() const { return lowest + static_cast<long>(a.size()) - 1; }
 };
 
+/// Weights of points of one level: f_j becomes sum_s weight[s] f_{j+lowest+s}. Limits and derivatives at the points are
+/// such sums (docs/kernels.md).
+template <class T>
+struct PointStencil {
+  long lowest = 0;
+  std::vector<T> weight;
+};
+
 /// The step of one level: mask, and the weights that extend the polygon before it (empty: none).
 template <class T>
 struct LevelRule {
@@ -108,6 +124,7 @@ struct LevelRule {
 namespace detail {
 
 struct LevelShape {
+  int arity = 2;
   long lowest = 0;
   long highest = 0;
   std::size_t extension = 0;  // number of weights
@@ -128,35 +145,94 @@ struct Plan {
 };
 
 // Throws Error (bad_input) naming how many points are needed.
-Plan plan_windows(int arity, std::vector<LevelShape> shapes, EndPoints ends, Shift p, std::size_t n, Boundary boundary);
+Plan plan_windows(std::vector<LevelShape> shapes, EndPoints ends, Shift p, std::size_t n, Boundary boundary);
 
-// What the points first..last of level K depend on, from level `base` (< K) on: windows[k] for k = base..K.
-void tile_windows(int arity, const Plan& plan, Boundary boundary, std::size_t base, long first, long last,
-                  std::vector<Window>& windows);
+// What the points first..last of level K depend on: windows[k] for k = 0..K. Where the level has more points, a window
+// begins and ends with whole groups of the points that come from one.
+void tile_windows(const Plan& plan, Boundary boundary, long first, long last, std::vector<Window>& windows);
 
 [[noreturn]] void fail(const std::string& message);
 void check_mask(int arity, std::size_t coefficients);
 void check_sizes(std::size_t values, std::size_t dim);
 void check_output(std::size_t have, std::size_t need);
 
-// One step of double or float rows by vector instructions; the bits are those of apply_plain.
+// Consecutive rows of one step: `count` rows of `width` numbers from index out_first on. Every row that they need is in
+// `in`, whose first row has index in_first. Strides in numbers.
+template <class T>
+struct Rows {
+  const T* in = nullptr;
+  long in_first = 0;
+  std::size_t in_stride = 0;
+  long out_first = 0;
+  std::size_t count = 0;
+  std::size_t width = 0;
+  T* out = nullptr;
+  std::size_t out_stride = 0;
+  bool stream = false;  // past the caches, if VectorStep::can_stream
+};
+
+// One step, one number at a time.
+template <class T>
+class PlainStep {
+ public:
+  explicit PlainStep(const Mask<T>& mask) : mask_(mask) {}
+
+  void operator()(const Rows<T>& rows) const {
+    const long m = mask_.arity;
+    const long lowest = mask_.lowest;
+    const long highest = mask_.highest();
+    for (std::size_t row = 0; row < rows.count; ++row) {
+      const long i = rows.out_first + static_cast<long>(row);
+      const long j_first = ceil_div(i - highest, m);
+      const long j_last = floor_div(i - lowest, m);
+      const auto coefficient = [&](long j) -> const T& {
+        return mask_.a[static_cast<std::size_t>(i - m * j - lowest)];
+      };
+      for (std::size_t c = 0; c < rows.width; ++c) {
+        const auto point = [&](long j) -> const T& {
+          return rows.in[static_cast<std::size_t>(j - rows.in_first) * rows.in_stride + c];
+        };
+        T& out = rows.out[row * rows.out_stride + c];
+        if constexpr (std::is_floating_point_v<T>) {
+          bool begun = false;
+          T sum = 0;
+          for (long j = j_first; j <= j_last; ++j) {
+            if (coefficient(j) == T(0)) continue;
+            const T term = coefficient(j) * point(j);
+            sum = begun ? sum + term : term;
+            begun = true;
+          }
+          out = sum;
+        } else {
+          T sum = coefficient(j_first) * point(j_first);
+          for (long j = j_first + 1; j <= j_last; ++j) sum = sum + coefficient(j) * point(j);
+          out = std::move(sum);
+        }
+      }
+    }
+  }
+
+ private:
+  Mask<T> mask_;
+};
+
+// The same for double and float by vector instructions; the bits are those of PlainStep.
 template <class Real>
 class VectorStep {
  public:
-  VectorStep(int arity, long lowest, std::span<const Real> a);
+  explicit VectorStep(const Mask<Real>& mask);
 
-  // Rows out_first .. of the next level; every j that is needed lies in the input, whose first row is in_first.
-  void operator()(const Real* in, long in_first, long out_first, std::size_t out_count, std::size_t dim,
-                  Real* out) const;
+  void operator()(const Rows<Real>& rows) const;
 
-  struct Tap {
-    Real weight;
-    std::ptrdiff_t offset;  // in points, from point q
-  };
+  // Can rows of this shape be written past the caches?
+  bool can_stream(std::size_t width, std::size_t in_stride, std::size_t out_stride) const;
 
  private:
   long arity_;
-  std::vector<std::vector<Tap>> phases_;  // nonzero weights only, j upwards
+  // Of phase r the nonzero weights begin_[r]..begin_[r+1]-1, j upwards, and where their rows are, seen from point q.
+  std::vector<Real> weight_;
+  std::vector<std::ptrdiff_t> offset_;
+  std::vector<std::size_t> begin_;
 };
 
 extern template class VectorStep<double>;
@@ -165,56 +241,18 @@ extern template class VectorStep<float>;
 template <class T>
 inline constexpr bool is_vectorised = std::is_same_v<T, double> || std::is_same_v<T, float>;
 
-// Copies past the caches.
-void stream(const void* from, std::size_t bytes, void* to);
-
-// How the last levels are computed in one go: tiles of the output small enough for the first cache.
-inline constexpr std::size_t tile_values = 4096;                           // numbers of the last level in a tile
-inline constexpr long tile_growth = 256;                                   // at most m^levels within a tile
-inline constexpr std::size_t least_fused = 2 * tile_values;                // smaller outputs go level by level
-inline constexpr std::size_t least_streamed_bytes = std::size_t{1} << 23;  // smaller outputs stay in the caches
+template <class T>
+using Step = std::conditional_t<is_vectorised<T>, VectorStep<T>, PlainStep<T>>;
 
 template <class T>
-void apply_plain(const Mask<T>& mask, const T* in, long in_first, long out_first, std::size_t out_count,
-                 std::size_t dim, T* out) {
-  const long m = mask.arity;
-  const long lowest = mask.lowest;
-  const long highest = mask.highest();
-  for (std::size_t row = 0; row < out_count; ++row) {
-    const long i = out_first + static_cast<long>(row);
-    const long j_first = ceil_div(i - highest, m);
-    const long j_last = floor_div(i - lowest, m);
-    for (std::size_t c = 0; c < dim; ++c) {
-      const auto coefficient = [&](long j) -> const T& { return mask.a[static_cast<std::size_t>(i - m * j - lowest)]; };
-      const auto point = [&](long j) -> const T& { return in[static_cast<std::size_t>(j - in_first) * dim + c]; };
-      if constexpr (std::is_floating_point_v<T>) {
-        bool begun = false;
-        T sum = 0;
-        for (long j = j_first; j <= j_last; ++j) {
-          if (coefficient(j) == T(0)) continue;
-          const T term = coefficient(j) * point(j);
-          sum = begun ? sum + term : term;
-          begun = true;
-        }
-        out[row * dim + c] = sum;
-      } else {
-        T sum = coefficient(j_first) * point(j_first);
-        for (long j = j_first + 1; j <= j_last; ++j) sum = sum + coefficient(j) * point(j);
-        out[row * dim + c] = sum;
-      }
-    }
-  }
-}
-
-template <class T>
-void apply(const Mask<T>& mask, const T* in, long in_first, long out_first, std::size_t out_count, std::size_t dim,
+void apply(const Mask<T>& mask, const T* in, long in_first, long out_first, std::size_t count, std::size_t dim,
            T* out) {
-  if constexpr (is_vectorised<T>) {
-    VectorStep<T>(mask.arity, mask.lowest, std::span<const T>(mask.a))(in, in_first, out_first, out_count, dim, out);
-  } else {
-    apply_plain(mask, in, in_first, out_first, out_count, dim, out);
-  }
+  Step<T>{mask}({in, in_first, dim, out_first, count, dim, out, dim});
 }
+
+// Copies past the caches, and waits until that is done.
+void stream_copy(const void* from, std::size_t bytes, void* to);
+void drain();
 
 // Fills what is stored around a window. Boundary::space extends the left end with the weights `left`, the right end
 // with `right`, mirrored.
@@ -306,35 +344,261 @@ LevelRule<T> level_rule(int arity, const MaskRow& row, Convert&& convert) {
   return rule;
 }
 
-/// All levels of a scheme over T, with the two buffers that refinement needs; they are kept from call to call. Not for
-/// use by several threads at once (copy it).
+namespace detail {
+
+// A scheme over T, ready to run.
+template <class T>
+struct Levels {
+  T zero, two, minus_one;
+  std::vector<Step<T>> steps;             // of the levels of the table, then of the limit
+  std::vector<std::vector<T>> extension;  // likewise
+  std::vector<LevelShape> shapes;         // likewise
+  std::optional<Step<T>> finish;          // after the last level
+  LevelShape finish_shape;
+
+  std::size_t row(std::size_t k) const { return std::min(k, steps.size() - 1); }
+};
+
+// A polygon, and where its refined points go. Columns: `width` of the numbers of each row.
+template <class T>
+struct Job {
+  const Levels<T>* levels = nullptr;
+  const Plan* plan = nullptr;
+  Boundary boundary = Boundary::closed;
+  const T* points = nullptr;
+  long points_first = 0;  // index of the first one
+  std::size_t stride = 0;
+  T* out = nullptr;  // row out_first of the last level
+  long out_first = 0;
+  std::size_t out_stride = 0;
+  bool stream = false;
+  std::size_t chunk_values = 0;  // of a piece that is copied past the caches
+};
+
+// The scratch in which a piece of the output goes through all levels; nothing is allocated for a piece that needs no
+// more room than the ones before.
+template <class T>
+class Tile {
+ public:
+  // Rows first..last of the last level, columns column..column+width-1.
+  void run(const Job<T>& job, long first, long last, std::size_t column, std::size_t width) {
+    const Plan& plan = *job.plan;
+    const std::size_t levels = plan.shapes.size();
+    T* const out = job.out + static_cast<std::size_t>(first - job.out_first) * job.out_stride + column;
+    const T* const points = job.points + column;
+    if (levels == 0) {
+      for (long i = first; i <= last; ++i)
+        std::copy_n(points + static_cast<std::size_t>(i - job.points_first) * job.stride, width,
+                    out + static_cast<std::size_t>(i - first) * job.out_stride);
+      return;
+    }
+    tile_windows(plan, job.boundary, first, last, windows_);
+    layout(job, width, out, first);
+    // Level 0: where it lies, or gathered.
+    const Window& base = windows_[0];
+    if (gathered_) {
+      T* const to = scratch_;
+      const long n = plan.windows[0].last + 1;  // of a closed polygon
+      for (long j = base.first; j <= base.last; ++j) {
+        const long from = job.boundary == Boundary::closed ? j - n * floor_div(j, n) : j;
+        std::copy_n(points + static_cast<std::size_t>(from - job.points_first) * job.stride, width,
+                    to + static_cast<std::size_t>(j - base.stored_first) * width);
+      }
+      fill(job, 0, width);
+      rows_[0] = {to, base.stored_first, width};
+    } else {
+      rows_[0] = {points + (base.stored_first - job.points_first) * static_cast<long>(job.stride), base.stored_first,
+                  job.stride};
+    }
+    for (std::size_t k = 1; k < levels; ++k) {
+      const Window& w = windows_[k];
+      T* const to = scratch_ + at_[k] + static_cast<std::size_t>(w.first - w.stored_first) * width;
+      one_step(job, k, w.first, w.computed(), width, to, width, false);
+      fill(job, k, width);
+    }
+    if (direct_) {
+      one_step(job, levels, first, static_cast<std::size_t>(last - first + 1), width, out, job.out_stride, job.stream);
+    } else if constexpr (is_vectorised<T>) {
+      const long chunk = chunk_rows(job, width);
+      for (long i = first; i <= last; i += chunk) {
+        const auto count = static_cast<std::size_t>(std::min(chunk, last + 1 - i));
+        T* const stage = scratch_ + stage_;
+        T* const to = out + static_cast<std::size_t>(i - first) * job.out_stride;
+        one_step(job, levels, i, count, width, stage, width, false);
+        if (job.out_stride == width) {
+          stream_copy(stage, count * width * sizeof(T), to);
+        } else {
+          for (std::size_t row = 0; row < count; ++row)
+            stream_copy(stage + row * width, width * sizeof(T), to + row * job.out_stride);
+        }
+      }
+    }
+    if (job.stream) drain();
+  }
+
+ private:
+  struct Source {
+    const T* data = nullptr;
+    long first = 0;
+    std::size_t stride = 0;
+  };
+
+  static const Step<T>& step(const Job<T>& job, std::size_t k) {
+    const bool last = k + 1 == job.plan->shapes.size();
+    return last && job.levels->finish ? *job.levels->finish : job.levels->steps[job.levels->row(k)];
+  }
+
+  // Rows of the last level on their way past the caches: about chunk_values numbers, whole lines of the output.
+  static long chunk_rows(const Job<T>& job, std::size_t width) {
+    const std::size_t unit = 32 * static_cast<std::size_t>(job.plan->shapes.back().arity);
+    return static_cast<long>(unit * std::max<std::size_t>(1, job.chunk_values / (unit * width)));
+  }
+
+  // Rows of level k from level k-1.
+  void one_step(const Job<T>& job, std::size_t k, long first, std::size_t count, std::size_t width, T* out,
+                std::size_t out_stride, bool stream) {
+    const Source& in = rows_[k - 1];
+    step(job, k - 1)({in.data, in.first, in.stride, first, count, width, out, out_stride, stream});
+  }
+
+  void layout(const Job<T>& job, std::size_t width, const T* out, long first) {
+    const std::size_t levels = job.plan->shapes.size();
+    const Window& base = windows_[0];
+    const Window& given = job.plan->windows[0];
+    gathered_ = job.boundary == Boundary::closed && (base.first < given.first || base.last > given.last);
+    gathered_ = gathered_ || base.stored() != base.computed();
+    rows_.resize(levels);
+    at_.assign(levels, 0);
+    constexpr std::size_t line = is_vectorised<T> ? 64 / sizeof(T) : 1;
+    std::size_t need = 0;
+    const auto take = [&](std::size_t count) { return std::exchange(need, need + (count + line - 1) / line * line); };
+    if (gathered_) at_[0] = take(base.stored() * width);
+    for (std::size_t k = 1; k < levels; ++k) at_[k] = take(windows_[k].stored() * width);
+    // The last level is written to its place directly, or by way of a chunk.
+    direct_ = true;
+    if constexpr (is_vectorised<T>) {
+      const bool aligned =
+          reinterpret_cast<std::uintptr_t>(out) % 64 == 0 && first % job.plan->shapes.back().arity == 0;
+      const std::size_t in_stride = levels == 1 && !gathered_ ? job.stride : width;
+      direct_ = !job.stream || (aligned && step(job, levels - 1).can_stream(width, in_stride, job.out_stride));
+    }
+    stage_ = direct_ ? 0 : take(static_cast<std::size_t>(chunk_rows(job, width)) * width);
+    if (values_.size() < need + line) values_.resize(need + line, job.levels->zero);
+    scratch_ = values_.data();
+    if constexpr (is_vectorised<T>) {
+      const std::uintptr_t past = reinterpret_cast<std::uintptr_t>(scratch_) % 64;
+      scratch_ += (64 - past) % 64 / sizeof(T);
+    }
+    for (std::size_t k = 1; k < levels; ++k) rows_[k] = {scratch_ + at_[k], windows_[k].stored_first, width};
+  }
+
+  void fill(const Job<T>& job, std::size_t k, std::size_t width) {
+    if (windows_[k].stored() == windows_[k].computed()) return;
+    T* const stored = scratch_ + at_[k];
+    const std::vector<T>& weights = job.levels->extension[job.levels->row(k)];
+    fill_boundary(stored, windows_[k], width, job.boundary, weights, weights, job.levels->two, job.levels->minus_one);
+  }
+
+  std::vector<Window> windows_;
+  std::vector<Source> rows_;  // where level k is
+  std::vector<long> done_;    // the first row of level k that is still to be computed
+  std::vector<T> values_;
+  T* scratch_ = nullptr;         // the first line of values_
+  std::vector<std::size_t> at_;  // from there, where level k begins
+  std::size_t stage_ = 0;        // and a chunk of the last level
+  bool direct_ = true;
+  bool gathered_ = false;
+};
+
+extern template class Tile<double>;
+extern template class Tile<float>;
+
+// How the output is cut; for tests and measurements too. The bits do not depend on it.
+struct Cutting {
+  std::size_t tile_values = 65536;   // numbers of the last level in a tile
+  std::size_t chunk_values = 512;    // numbers that are computed in the first cache before they are copied past it
+  std::size_t columns = 64;          // at most that wide
+  std::size_t grain_rows = 100'000;  // rows for a thread, at least
+  std::optional<bool> stream;        // past the caches; by default when the output is larger than half the last one
+};
+
+// Threads that share the tiles of one output.
+class Workers {
+ public:
+  explicit Workers(int threads);  // 0: one for each core; never more than that
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  std::size_t count() const { return count_; }
+  // call(context, worker, i) for i = 0..n-1; never at once for the same worker < count().
+  void run(std::size_t n, std::size_t grain, void* context, void (*call)(void*, std::size_t, std::size_t));
+
+ private:
+  struct Arena;
+  std::unique_ptr<Arena> arena_;
+  std::size_t count_ = 1;
+};
+
+// Half of the last cache, in bytes.
+std::size_t streamed_from();
+
+}  // namespace detail
+
+/// All levels of a scheme over T, with the scratch that refinement needs; it is kept from call to call, and a call like
+/// the one before allocates nothing. Not for use by several threads at once (copy it).
 template <class T>
 class Refiner {
  public:
   /// Coefficients of `table` through convert(text, value). Throws Error (bad_input) as validate does.
   template <class Convert>
   Refiner(const MaskTable& table, Convert convert)
-      : arity_(table.arity),
-        zero_(convert(std::string("0"), 0.0)),
-        two_(convert(std::string("2"), 2.0)),
-        minus_one_(convert(std::string("-1"), -1.0)) {
+      : levels_{convert(std::string("0"), 0.0),
+                convert(std::string("2"), 2.0),
+                convert(std::string("-1"), -1.0),
+                {},
+                {},
+                {},
+                {},
+                {}} {
     validate(table);
     shift_ = parse_shift(table.shift);
     stationary_ = table.levels.empty() || table.tail_bound == "0";
-    for (const MaskRow& row : table.levels) levels_.push_back(level_rule<T>(arity_, row, convert));
-    limit_ = level_rule<T>(arity_, table.limit, convert);
-    long lowest = limit_.mask.lowest;
-    long highest = limit_.mask.highest();
-    for (const LevelRule<T>& level : levels_) {
-      lowest = std::min(lowest, level.mask.lowest);
-      highest = std::max(highest, level.mask.highest());
+    for (const MaskRow& row : table.levels) add(level_rule<T>(table.arity, row, convert));
+    add(level_rule<T>(table.arity, table.limit, convert));
+    long lowest = levels_.shapes[0].lowest;
+    long highest = levels_.shapes[0].highest;
+    for (const detail::LevelShape& s : levels_.shapes) {
+      lowest = std::min(lowest, s.lowest);
+      highest = std::max(highest, s.highest);
     }
-    ends_ = points_beyond_ends(arity_, lowest, highest, shift_);
+    ends_ = points_beyond_ends(table.arity, lowest, highest, shift_);
   }
 
   /// Coefficients are the doubles of `table`, converted to T by static_cast.
   explicit Refiner(const MaskTable& table)
       : Refiner(table, [](const std::string&, double value) { return static_cast<T>(value); }) {}
+
+  /// At most so many threads, and no more than there are cores; 0 (the default): that many. double and float only;
+  /// other types run on one.
+  void set_threads(int threads) {
+    if (threads < 0) detail::fail("threads: " + std::to_string(threads) + " is negative");
+    threads_ = threads;
+    workers_.reset();
+  }
+
+  /// A stencil for the points of the last level: limits or derivatives come out in their place. Closed polygons and
+  /// Boundary::given only: beyond other ends the limit is not that of the scheme. Nothing: no stencil.
+  void set_finish(const std::optional<PointStencil<T>>& stencil) {
+    key_.reset();
+    levels_.finish.reset();
+    if (!stencil) return;
+    if (stencil->weight.empty()) detail::fail("a stencil without weights");
+    Mask<T> mask{1, 1 - stencil->lowest - static_cast<long>(stencil->weight.size()), stencil->weight};
+    std::reverse(mask.a.begin(), mask.a.end());
+    levels_.finish_shape = {1, mask.lowest, mask.highest(), 0};
+    levels_.finish.emplace(mask);
+  }
 
   /// Points that Boundary::given takes beyond the ends; the same for every number of levels.
   EndPoints ends() const { return ends_; }
@@ -343,143 +607,182 @@ class Refiner {
   /// parameter is (first + p)/m^levels). Throws Error (bad_input) when n is too small, naming how many are needed, or
   /// when the table has fewer levels and is not stationary.
   IndexRange output(std::size_t n, int levels, Boundary boundary) const {
-    const detail::Window last = plan(n, levels, boundary).windows.back();
+    const detail::Window last = make_plan(n, levels, boundary).windows.back();
     return {last.first, last.computed()};
   }
 
   /// Refines `levels` times into `out`, which has output(n, levels, boundary).count * dim elements and does not overlap
   /// the input. Errors as output(); also sizes that do not fit.
   void refine(std::span<const T> points, std::size_t dim, int levels, Boundary boundary, std::span<T> out) {
-    detail::check_sizes(points.size(), dim);
-    detail::Plan work = plan(points.size() / dim, levels, boundary);
-    detail::check_output(out.size(), work.windows.back().computed() * dim);
-    run(points, dim, work, boundary, out);
+    const detail::Window all = prepare(points, dim, levels, boundary);
+    detail::check_output(out.size(), all.computed() * dim);
+    run(points, dim, boundary, all.first, out);
   }
 
   /// The same into a new vector.
   std::vector<T> refine(std::span<const T> points, std::size_t dim, int levels, Boundary boundary) {
-    detail::check_sizes(points.size(), dim);
-    detail::Plan work = plan(points.size() / dim, levels, boundary);
-    std::vector<T> out(work.windows.back().computed() * dim, zero_);
-    run(points, dim, work, boundary, out);
+    const detail::Window all = prepare(points, dim, levels, boundary);
+    std::vector<T> out(all.computed() * dim, levels_.zero);
+    run(points, dim, boundary, all.first, out);
     return out;
   }
 
- private:
-  const LevelRule<T>& rule(std::size_t k) const { return k < levels_.size() ? levels_[k] : limit_; }
+  /// Rows first_row, first_row+1, ... of the same result, as many as `out` holds, and nothing else is computed: for
+  /// outputs that do not fit into memory. Errors as refine(); also rows that are not there.
+  void refine_rows(std::span<const T> points, std::size_t dim, int levels, Boundary boundary, std::size_t first_row,
+                   std::span<T> out) {
+    const detail::Window all = prepare(points, dim, levels, boundary);
+    detail::check_sizes(out.size(), dim);
+    if (first_row > all.computed() || out.size() / dim > all.computed() - first_row) {
+      detail::fail("rows " + std::to_string(first_row) + " to " + std::to_string(first_row + out.size() / dim) +
+                   " of a refined polygon of " + std::to_string(all.computed()) + " points");
+    }
+    run(points, dim, boundary, all.first + static_cast<long>(first_row), out);
+  }
 
-  detail::Plan plan(std::size_t n, int levels, Boundary boundary) const {
+  /// write(first_row, values) for consecutive pieces of the same result, about `rows` rows each; `values` is valid
+  /// during the call. Memory: the piece.
+  template <class Write>
+  void for_each_piece(std::span<const T> points, std::size_t dim, int levels, Boundary boundary, std::size_t rows,
+                      Write&& write) {
+    const std::size_t count = prepare(points, dim, levels, boundary).computed();
+    rows = std::max<std::size_t>(1, std::min(rows, count));
+    std::vector<T> piece(rows * dim, levels_.zero);
+    for (std::size_t row = 0; row < count; row += rows) {
+      const std::span<T> now = std::span<T>(piece).first(std::min(rows, count - row) * dim);
+      refine_rows(points, dim, levels, boundary, row, now);
+      write(row, std::span<const T>(now));
+    }
+  }
+
+  /// For tests and measurements: how the output is cut.
+  void set_cutting(const detail::Cutting& cutting) { cutting_ = cutting; }
+
+ private:
+  struct Key {
+    std::size_t n;
+    int levels;
+    Boundary boundary;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+
+  void add(const LevelRule<T>& rule) {
+    levels_.steps.emplace_back(rule.mask);
+    levels_.extension.push_back(rule.extension);
+    levels_.shapes.push_back({rule.mask.arity, rule.mask.lowest, rule.mask.highest(), rule.extension.size()});
+  }
+
+  detail::Plan make_plan(std::size_t n, int levels, Boundary boundary) const {
     if (levels < 0) detail::fail("levels: " + std::to_string(levels) + " is negative");
-    if (static_cast<std::size_t>(levels) > levels_.size() && !stationary_) {
-      detail::fail(std::to_string(levels) + " levels asked for, but the mask table has " +
-                   std::to_string(levels_.size()));
+    const std::size_t rows = levels_.steps.size() - 1;  // without the limit
+    if (static_cast<std::size_t>(levels) > rows && !stationary_) {
+      detail::fail(std::to_string(levels) + " levels asked for, but the mask table has " + std::to_string(rows));
     }
     std::vector<detail::LevelShape> shapes;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(levels); ++k) {
-      shapes.push_back({rule(k).mask.lowest, rule(k).mask.highest(), rule(k).extension.size()});
+    for (std::size_t k = 0; k < static_cast<std::size_t>(levels); ++k) shapes.push_back(levels_.shapes[levels_.row(k)]);
+    if (levels_.finish) {
+      if (boundary == Boundary::linear || boundary == Boundary::space)
+        detail::fail("limits and derivatives need a closed polygon or given points beyond the ends");
+      shapes.push_back(levels_.finish_shape);
     }
-    return detail::plan_windows(arity_, std::move(shapes), ends_, shift_, n, boundary);
+    return detail::plan_windows(std::move(shapes), ends_, shift_, n, boundary);
   }
 
-  void run(std::span<const T> points, std::size_t dim, detail::Plan& plan, Boundary boundary, std::span<T> out) {
-    const std::size_t levels = plan.shapes.size();
-    if (levels == 0) {
-      const std::size_t skip = boundary == Boundary::given ? static_cast<std::size_t>(ends_.left) * dim : 0;
-      std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(skip), out.size(), out.begin());
-      return;
+  // The plan, made anew when it is not that of the call before. Returns the whole output.
+  detail::Window prepare(std::span<const T> points, std::size_t dim, int levels, Boundary boundary) {
+    detail::check_sizes(points.size(), dim);
+    const Key key{points.size() / dim, levels, boundary};
+    if (!key_ || *key_ != key) {
+      key_.reset();
+      plan_ = make_plan(key.n, levels, boundary);
+      key_ = key;
     }
-    // Levels 1..base one after the other into the buffers; the rest level by level too, or together in tiles.
-    std::size_t base = levels - 1;
-    const bool tiled = detail::is_vectorised<T> && out.size() >= detail::least_fused;
-    if (tiled) {
-      for (long growth = long{arity_} * arity_; base > 0 && growth <= detail::tile_growth; growth *= arity_) --base;
-      if (boundary == Boundary::closed) {  // inside a tile nothing wraps: store all that the tiles depend on
-        std::vector<detail::Window> all;
-        const detail::Window& last = plan.windows[levels];
-        detail::tile_windows(arity_, plan, boundary, base, last.first, last.last, all);
-        detail::Window& w = plan.windows[base];
-        w.stored_first = std::min(w.stored_first, all[base].first);
-        w.stored_last = std::max(w.stored_last, all[base].last);
-      }
-    }
-    const T* in = points.data();
-    if (plan.windows[0].stored() != plan.windows[0].computed()) {
-      const detail::Window& w = plan.windows[0];
-      reserve(buffers_[0], w.stored() * dim);
-      std::copy(points.begin(), points.end(), buffers_[0].data() + offset(w, dim));
-      fill(buffers_[0].data(), w, 0, dim, boundary);
-      in = buffers_[0].data();
-    }
-    for (std::size_t k = 0; k < base; ++k) {
-      const detail::Window& next = plan.windows[k + 1];
-      std::vector<T>& buffer = buffers_[(k + 1) % 2];
-      reserve(buffer, next.stored() * dim);
-      detail::apply(rule(k).mask, in, plan.windows[k].stored_first, next.first, next.computed(), dim,
-                    buffer.data() + offset(next, dim));
-      fill(buffer.data(), next, k + 1, dim, boundary);
-      in = buffer.data();
-    }
+    return plan_.windows.back();
+  }
+
+  // Rows first.. of the last level.
+  void run(std::span<const T> points, std::size_t dim, Boundary boundary, long first, std::span<T> out) {
+    if (out.empty()) return;
+    const long last = first + static_cast<long>(out.size() / dim) - 1;
+    detail::Job<T> job;
+    job.levels = &levels_;
+    job.plan = &plan_;
+    job.boundary = boundary;
+    job.points = points.data();
+    job.points_first = boundary == Boundary::given ? -ends_.left : 0;
+    job.stride = dim;
+    job.out = out.data();
+    job.out_first = first;
+    job.out_stride = dim;
+    if (tiles_.empty()) tiles_.resize(1);
     if constexpr (detail::is_vectorised<T>) {
-      if (tiled) return run_tiles(in, base, dim, plan, boundary, out);
+      run_tiles(job, first, last, dim, out);
+    } else {
+      tiles_[0].run(job, first, last, 0, dim);
     }
-    const detail::Window& last = plan.windows[levels];
-    detail::apply(rule(base).mask, in, plan.windows[base].stored_first, last.first, last.computed(), dim, out.data());
   }
 
-  // Levels base+1..K for one piece of the output after the other.
-  void run_tiles(const T* base_points, std::size_t base, std::size_t dim, const detail::Plan& plan, Boundary boundary,
-                 std::span<T> out) {
-    const std::size_t levels = plan.shapes.size();
-    const detail::Window& all = plan.windows[levels];
-    const long length = static_cast<long>(std::max<std::size_t>(64, detail::tile_values / dim));
-    const bool streamed = out.size_bytes() >= detail::least_streamed_bytes;
-    std::vector<detail::VectorStep<T>> steps;
-    for (std::size_t k = base; k < levels; ++k) {
-      const Mask<T>& mask = rule(k).mask;
-      steps.emplace_back(mask.arity, mask.lowest, std::span<const T>(mask.a));
+  // Tile i: rows by columns; a head tile of few rows first, so that all others begin with a line of the output.
+  struct Grid {
+    detail::Job<T>* job;
+    std::vector<detail::Tile<T>>* tiles;
+    long first, last, head, rows;
+    std::size_t dim, columns, across;
+
+    static void call(void* context, std::size_t worker, std::size_t i) {
+      const Grid& g = *static_cast<const Grid*>(context);
+      const long down = static_cast<long>(i / g.across);
+      const std::size_t column = i % g.across * g.columns;
+      const long from =
+          g.head > 0 ? (down == 0 ? g.first : g.first + g.head + (down - 1) * g.rows) : g.first + down * g.rows;
+      const long to = g.head > 0 && down == 0 ? g.first + g.head - 1 : from + g.rows - 1;
+      (*g.tiles)[worker].run(*g.job, from, std::min(g.last, to), column, std::min(g.columns, g.dim - column));
     }
-    std::vector<detail::Window> w;
-    for (long first = all.first; first <= all.last; first += length) {
-      detail::tile_windows(arity_, plan, boundary, base, first, std::min(all.last, first + length - 1), w);
-      const T* in = base_points;
-      long in_first = plan.windows[base].stored_first;
-      T* const target = out.data() + static_cast<std::size_t>(first - all.first) * dim;
-      for (std::size_t k = base; k < levels; ++k) {
-        const detail::Window& next = w[k + 1];
-        const bool direct = k + 1 == levels && !streamed;
-        std::vector<T>& tile = tiles_[k % 2];
-        if (!direct) reserve(tile, next.stored() * dim);
-        T* const to = direct ? target : tile.data();
-        steps[k - base](in, in_first, next.first, next.computed(), dim, to + offset(next, dim));
-        if (k + 1 < levels) fill(to, next, k + 1, dim, boundary);
-        in = to;
-        in_first = next.stored_first;
+  };
+
+  void run_tiles(detail::Job<T>& job, long first, long last, std::size_t dim, std::span<T> out) {
+    const long count = last - first + 1;
+    const long m = plan_.shapes.empty() ? 1 : plan_.shapes.back().arity;
+    job.chunk_values = cutting_.chunk_values;
+    job.stream = cutting_.stream.value_or(out.size_bytes() > detail::streamed_from());
+    Grid g{&job, &tiles_, first, last, 0, 0, dim, std::min(dim, cutting_.columns), 1};
+    g.across = (dim + g.columns - 1) / g.columns;
+    const long unit = 64 * m;  // whole groups, whole lines
+    g.rows = unit * std::max(1L, static_cast<long>(cutting_.tile_values / g.columns) / unit);
+    if (job.stream) {
+      const auto begins_line = [&](long h) {
+        return (first + h) % m == 0 &&
+               reinterpret_cast<std::uintptr_t>(out.data() + static_cast<std::size_t>(h) * dim) % 64 == 0;
+      };
+      for (long h = 0; h < std::min(unit, count); ++h) {
+        if (!begins_line(h)) continue;
+        g.head = h;
+        break;
       }
-      if (streamed) detail::stream(in, w[levels].computed() * dim * sizeof(T), target);
+    }
+    const long down = (g.head > 0 ? 1 : 0) + ceil_div(count - g.head, g.rows);
+    const std::size_t n = static_cast<std::size_t>(down) * g.across;
+    const std::size_t rows_of_tile = std::max<std::size_t>(1, static_cast<std::size_t>(g.rows) / g.across);
+    const std::size_t grain = std::max<std::size_t>(1, cutting_.grain_rows / rows_of_tile);
+    if (threads_ != 1 && n >= 2 * grain) {
+      if (!workers_) workers_ = std::make_shared<detail::Workers>(threads_);
+      if (tiles_.size() < workers_->count()) tiles_.resize(workers_->count());
+      workers_->run(n, grain, &g, &Grid::call);
+    } else {
+      for (std::size_t i = 0; i < n; ++i) Grid::call(&g, 0, i);
     }
   }
 
-  void fill(T* stored, const detail::Window& w, std::size_t k, std::size_t dim, Boundary boundary) const {
-    detail::fill_boundary(stored, w, dim, boundary, rule(k).extension, rule(k).extension, two_, minus_one_);
-  }
-
-  static std::size_t offset(const detail::Window& w, std::size_t dim) {
-    return static_cast<std::size_t>(w.first - w.stored_first) * dim;
-  }
-
-  void reserve(std::vector<T>& buffer, std::size_t size) const {
-    if (buffer.size() < size) buffer.resize(size, zero_);
-  }
-
-  int arity_;
+  detail::Levels<T> levels_;
   Shift shift_;
   bool stationary_ = false;
   EndPoints ends_;
-  std::vector<LevelRule<T>> levels_;
-  LevelRule<T> limit_;
-  T zero_, two_, minus_one_;
-  std::vector<T> buffers_[2];  // levels, alternately
-  std::vector<T> tiles_[2];    // the same inside a tile
+  int threads_ = 0;
+  detail::Cutting cutting_;
+  std::optional<Key> key_;
+  detail::Plan plan_;
+  std::vector<detail::Tile<T>> tiles_;  // one for each worker
+  std::shared_ptr<detail::Workers> workers_;
 };
 
 /// One-line doors over Refiner.

@@ -77,6 +77,9 @@ struct Binding {
 // name, a value that cannot be used, a parameter that is bound twice or not at all.
 Binding bind(const Scheme& scheme, const std::optional<std::string>& v0, const std::optional<std::string>& t,
              const std::vector<std::pair<std::string, std::string>>& at);
+// The same where parameters may stay without a value; defaults are not used.
+Binding bind_some(const Scheme& scheme, const std::optional<std::string>& v0, const std::optional<std::string>& t,
+                  const std::vector<std::pair<std::string, std::string>>& at);
 
 struct LowerOptions {
   unsigned levels = 10;    // rows k = 0..levels-1, and the limit row

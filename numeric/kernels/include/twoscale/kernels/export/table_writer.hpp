@@ -15,8 +15,11 @@
 namespace twoscale::kernels {
 
 struct TableOptions {
-  bool hex_float = false;  ///< C, C++: hexadecimal literals for the doubles
-  std::string prefix;      ///< C, C++: prefix or namespace of all names; empty: made from the scheme id
+  bool hex_float = false;  ///< C, C++, stencil: hexadecimal literals for the doubles
+  /// C, GLSL, stencil: prefix of all names; C++: namespace; Julia: module; MATLAB: struct; LaTeX: label. Empty: made
+  /// from the scheme id.
+  std::string prefix = {};
+  long points = 8;  ///< stencil, matrixmarket: points of the closed polygon
 };
 
 class TableWriter {
@@ -42,8 +45,15 @@ std::string write_table(const MaskTable& table, std::string_view format, const T
 /// are cut and end with a hash of the whole id.
 std::string identifier_of_scheme(std::string_view scheme);
 
-/// What the header comment of a text format says, line by line, without comment marks; printable ASCII only, so that
-/// it cannot close a comment ("*/" is broken up).
+/// `prefix` when it is an identifier (Error bad_input otherwise); empty: the one made from the scheme id.
+std::string identifier(const std::string& prefix, std::string_view scheme);
+
+/// One line of a comment: printable ASCII that cannot close a comment ("*/" is broken up), continue the line or be a
+/// trigraph.
+std::string comment_text(std::string_view text);
+
+/// What the header comment of a text format says, line by line, without comment marks; each is a
+/// comment_text.
 std::vector<std::string> header_lines(const MaskTable& table);
 
 /// All rows (levels 0..K-1, then the limit) padded with zeros to their common support [lowest, highest].
@@ -61,5 +71,14 @@ const TableWriter& csv_table_writer();
 const TableWriter& c_table_writer();
 const TableWriter& cpp_table_writer();
 const TableWriter& npy_table_writer();
+const TableWriter& python_table_writer();
+const TableWriter& julia_table_writer();
+const TableWriter& matlab_table_writer();
+const TableWriter& glsl_table_writer();
+const TableWriter& typescript_table_writer();
+const TableWriter& latex_table_writer();
+const TableWriter& pywavelets_table_writer();
+const TableWriter& stencil_table_writer();
+const TableWriter& matrixmarket_table_writer();
 
 }  // namespace twoscale::kernels

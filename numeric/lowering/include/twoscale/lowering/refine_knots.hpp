@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Refinement on arbitrary knots (kernels/nonuniform.hpp) with any number of proved digits.
+#pragma once
+
+#include "twoscale/kernels/nonuniform.hpp"
+
+namespace twoscale::lowering {
+
+// As kernels::refine_on_knots, but the numbers of `points` are read exactly from their texts, and every number of the
+// output has `digits` correct significant digits (tokens). Where the ratios of the knot intervals are rational (given,
+// uniform; equal lengths) everything is rational arithmetic; otherwise knots and points are enclosed in balls, and a
+// number that cannot be told from 0 with twice the digits becomes 0. Throws Error or kernels::Error (bad_input), also for
+// digits outside 17..10000; Error(undecided) if a digit could not be decided.
+kernels::PointSet refine_on_knots(const kernels::PointSet& points, kernels::KnotRule rule,
+                                  const kernels::KnotOptions& options, long digits);
+
+}  // namespace twoscale::lowering

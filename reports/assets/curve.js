@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The interactive part of a page: control points to drag, sliders for the parameters, the limit curve with its comb.
+//
+// A scheme is what an emitted evaluator defines, as one object:
+//   {arity, lowest, size, start, next, mask}    start(v0, ...), next(v, ...), mask(levels..., constants..., locals...)
+// Settings are numbers for its parameters, in the order of the evaluator:
+//   {levels: [v0, ...], constants: [...], locals: [{offsets, rest, values}, ...]}
+// A local parameter has one value an edge: an edge parameter (with `rest`, its value at edges that touch no vertex of
+// the data) or a knot interval (without; halved at every step, and taken from the points: centripetal).
+// Points are arrays of coordinates; all polygons are closed.
+"use strict";
+
+// ---- Refinement
+
+const around = (list, index) => list[((index % list.length) + list.length) % list.length];
+
+const finite = (points) => points.every((p) => p.every(Number.isFinite));
+
+// f^{k+1}_i = sum_j a_{i - m j} f^k_j.
+function uniformStep(scheme, mask, points) {
+  const m = scheme.arity, highest = scheme.lowest + scheme.size - 1, fine = [];
+  for (let i = 0; i < m * points.length; ++i) {
+    const sum = points[0].map(() => 0);
+    for (let j = Math.ceil((i - highest) / m); m * j <= i - scheme.lowest; ++j) {
+      const weight = mask[i - m * j - scheme.lowest];
+      around(points, j).forEach((x, c) => { sum[c] += weight * x; });
+    }
+    fine.push(sum);
+  }
+  return fine;
+}
+
+// Old vertices stay; in the middle of the edge j a new one appears, by the rule at the parameters of the edges around.
+function knotStep(scheme, settings, points) {
+  const fine = [];
+  points.forEach((vertex, j) => {
+    const here = settings.locals.flatMap((p) => p.offsets.map((o) => around(p.values, j + o)));
+    const weights = scheme.mask(...settings.constants, ...here);
+    const sum = vertex.map(() => 0);
+    for (let i = 0; i < scheme.size; ++i)
+      around(points, j + scheme.lowest + i).forEach((x, c) => { sum[c] += weights[i] * x; });
+    fine.push(vertex, sum);
+  });
+  return fine;
+}
+
+// The parameters of the two halves of every edge; `data` is the number of edges between two vertices of the data.
+function halved(parameter, data) {
+  const values = parameter.values.flatMap((value, j) => {
+    if (parameter.rest === undefined) return [value / 2, value / 2];
+    const left = j % data === 0, right = (j + 1) % data === 0;
+    return [left ? value : parameter.rest, right ? value : parameter.rest];
+  });
+  return {...parameter, values};
+}
+
+function centripetal(points) {
+  return points.map((p, j) => Math.sqrt(Math.hypot(...p.map((x, c) => around(points, j + 1)[c] - x))));
+}
+
+// `levels` steps from `points`. Where a value is singular, points are not finite.
+function refine(scheme, settings, points, levels) {
+  if (settings.locals.length > 0) {
+    let locals = settings.locals.map((p) => ({...p, values: p.values || centripetal(points)}));
+    for (let k = 0; k < levels; ++k) {
+      points = knotStep(scheme, {...settings, locals}, points);
+      locals = locals.map((p) => halved(p, 2 ** k));
+    }
+    return points;
+  }
+  let v = settings.levels.length > 0 ? [].concat(scheme.start(...settings.levels)) : [];
+  for (let k = 0; k < levels; ++k) {
+    points = uniformStep(scheme, scheme.mask(...v, ...settings.constants), points);
+    if (v.length > 0) v = [].concat(scheme.next(...v));
+  }
+  return points;
+}
+
+// ---- Measures of plane curves
+
+// Signed curvature of the circle through a point and its neighbours, positive for a left turn; 0 where points coincide.
+function curvature(points) {
+  return points.map((b, j) => {
+    const a = around(points, j - 1), c = around(points, j + 1);
+    const u = [b[0] - a[0], b[1] - a[1]], w = [c[0] - b[0], c[1] - b[1]];
+    const sides = Math.hypot(...u) * Math.hypot(...w) * Math.hypot(c[0] - a[0], c[1] - a[1]);
+    return sides > 0 ? 2 * (u[0] * w[1] - u[1] * w[0]) / sides : 0;
+  });
+}
+
+// Unit normals, to the right of the direction.
+function normals(points) {
+  return points.map((_, j) => {
+    const a = around(points, j - 1), c = around(points, j + 1);
+    const length = Math.hypot(c[0] - a[0], c[1] - a[1]) || 1;
+    return [(c[1] - a[1]) / length, (a[0] - c[0]) / length];
+  });
+}
+
+// Sum of the absolute turning angles, in full turns.
+function turning(points) {
+  let sum = 0;
+  points.forEach((b, j) => {
+    const a = around(points, j - 1), c = around(points, j + 1);
+    const u = [b[0] - a[0], b[1] - a[1]], w = [c[0] - b[0], c[1] - b[1]];
+    sum += Math.abs(Math.atan2(u[0] * w[1] - u[1] * w[0], u[0] * w[0] + u[1] * w[1]));
+  });
+  return sum / (2 * Math.PI);
+}
+
+// ---- The page
+
+const view = {width: 760, height: 520, margin: 70};
+
+function element(name, attributes, ...children) {
+  const svg = ["svg", "path", "circle", "g"].includes(name);
+  const e = svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes || {})) e.setAttribute(key, value);
+  e.append(...children);
+  return e;
+}
+
+const shown = (x) => String(Number(x.toPrecision(6)));
+
+// A slider and a number, which follow each other. `scale` maps the slider's 0..1 to values and back.
+function control(label, value, scale, changed) {
+  const slider = element("input", {type: "range", min: 0, max: 1, step: "any", value: scale.to(value), "aria-label": label});
+  const number = element("input", {type: "number", step: "any", value: shown(value), "aria-label": label});
+  const state = {value};
+  slider.addEventListener("input", () => {
+    state.value = Number(shown(scale.from(Number(slider.value))));
+    number.value = state.value;
+    changed();
+  });
+  number.addEventListener("input", () => {
+    const typed = Number(number.value);
+    if (number.value === "" || !Number.isFinite(typed)) return;
+    state.value = typed;
+    slider.value = scale.to(typed);
+    changed();
+  });
+  state.set = (x) => {
+    state.value = x;
+    number.value = shown(x);
+    slider.value = scale.to(x);
+  };
+  state.row = element("label", {}, element("span", {}, label), slider, number);
+  return state;
+}
+
+// v^0 > -1, where most happens near -1, and much up to the thousands.
+const tensionScale = {
+  from: (s) => 10 ** (-1.7 + 5.7 * s) - 1,
+  to: (v) => (Math.log10(Math.max(1 + v, 1e-9)) + 1.7) / 5.7,
+};
+const linearScale = (low, high) => ({from: (s) => low + (high - low) * s, to: (x) => (x - low) / (high - low)});
+
+function scaleOf(p) {
+  if (p.low !== undefined) return linearScale(p.low, p.high);
+  return {from: (s) => p.scale * tensionScale.from(s) + p.offset, to: (x) => tensionScale.to((x - p.offset) / p.scale)};
+}
+
+// Fills `root` for a scheme. config: {command, points, refinements, mostRefinements,
+//   levels: [{name, label, value, low, high, fixed, scale, offset}], with value = scale*v^0 + offset,
+//   constants: [{name, label, value, low, high}], locals: [{name, label, offsets, rest, low, high}]}.
+function interactiveCurve(root, scheme, config) {
+  let points = config.points.map((p) => p.slice());
+  let selected = 0;  // an edge, for edge parameters
+  const edgeValues = (count) => config.locals.map((p) => (p.rest === undefined ? undefined : Array(count).fill(p.rest)));
+  let edges = edgeValues(points.length);
+
+  const comb = element("path", {class: "comb"});
+  const crown = element("path", {class: "crown"});
+  const polygon = element("path", {class: "polygon"});
+  const chosen = element("path", {class: "chosen"});
+  const curve = element("path", {class: "limit"});
+  const handles = element("g");
+  const svg = element("svg", {viewBox: `0 0 ${view.width} ${view.height}`, role: "img",
+    "aria-label": "control polygon and limit curve"}, comb, crown, polygon, chosen, curve, handles);
+  const message = element("p", {class: "message", "aria-live": "polite"});
+  const command = element("code", {});
+
+  // Plane coordinates to pixels and back.
+  let unit = 1, origin = [0, 0];
+  const fit = () => {
+    const low = [0, 1].map((c) => Math.min(...points.map((p) => p[c])));
+    const high = [0, 1].map((c) => Math.max(...points.map((p) => p[c])));
+    unit = Math.min((view.width - 2 * view.margin) / (high[0] - low[0] || 1),
+      (view.height - 2 * view.margin) / (high[1] - low[1] || 1));
+    origin = [view.width / 2 - unit * (low[0] + high[0]) / 2, view.height / 2 + unit * (low[1] + high[1]) / 2];
+  };
+  const toPixel = (p) => [origin[0] + unit * p[0], origin[1] - unit * p[1]];
+  const fromEvent = (event) => {
+    const box = svg.getBoundingClientRect();
+    const pixel = [(event.clientX - box.left) * view.width / box.width, (event.clientY - box.top) * view.height / box.height];
+    return [(pixel[0] - origin[0]) / unit, (origin[1] - pixel[1]) / unit];
+  };
+  const path = (list, closed) =>
+    list.map((p, i) => (i === 0 ? "M" : "L") + toPixel(p).map((x) => x.toFixed(2)).join(" ")).join("") + (closed ? "Z" : "");
+
+  const redraw = () => draw();
+  const levels = config.levels.map((p) => control(p.label, p.value, scaleOf(p), redraw));
+  const constants = config.constants.map((p) => control(p.label, p.value, scaleOf(p), redraw));
+  const edgeControls = config.locals.map((p, i) => p.rest === undefined ? undefined
+    : control(`${p.label} of the marked edge`, p.rest, linearScale(p.low, p.high), () => {
+      edges[i][selected] = edgeControls[i].value;
+      draw();
+    }));
+  const steps = control("levels", config.refinements, linearScale(0, config.mostRefinements), redraw);
+  steps.row.querySelector("[type=range]").step = 1 / config.mostRefinements;
+  const combLength = control("comb", 0.5, linearScale(0, 1), redraw);
+
+  function settings() {
+    return {levels: config.levels.map((p, i) => (levels[i].value - p.offset) / p.scale), constants: constants.map((c) => c.value),
+      locals: config.locals.map((p, i) => ({offsets: p.offsets, rest: p.rest, values: edges[i]}))};
+  }
+
+  function draw() {
+    const used = Math.max(0, Math.min(config.mostRefinements, Math.round(steps.value)));
+    const fine = refine(scheme, settings(), points, used);
+    const usable = finite(fine);
+    polygon.setAttribute("d", path(points, true));
+    chosen.setAttribute("d", edgeControls.some(Boolean) ? path([points[selected], around(points, selected + 1)], false) : "");
+    curve.setAttribute("d", usable ? path(fine, true) : "");
+    drawComb(usable ? fine : []);
+    while (handles.childNodes.length > points.length) handles.lastChild.remove();
+    while (handles.childNodes.length < points.length) handles.append(handle(handles.childNodes.length));
+    points.forEach((p, i) => {
+      const [x, y] = toPixel(p);
+      handles.childNodes[i].setAttribute("cx", x.toFixed(2));
+      handles.childNodes[i].setAttribute("cy", y.toFixed(2));
+    });
+    const k = usable ? curvature(fine) : [];
+    message.textContent = usable
+      ? `${points.length} points become ${fine.length}. The curve turns by ${turning(fine).toFixed(3)}; its curvature runs `
+        + `from ${shown(Math.min(...k))} to ${shown(Math.max(...k))}.`
+      : "The scheme does not exist at these values.";
+    const at = config.levels.flatMap((p, i) => (p.fixed ? [] : [`${p.name}=${shown(levels[i].value)}`]))
+      .concat(config.constants.map((p, i) => `${p.name}=${shown(constants[i].value)}`));
+    command.textContent = `${config.command}${at.length > 0 ? ` --at ${at.join(",")}` : ""} --levels ${used} points.csv`;
+  }
+
+  // Teeth against the side the curve bends to, long where it bends much.
+  function drawComb(fine) {
+    const k = curvature(fine), n = normals(fine);
+    const size = Math.min(view.width, view.height) / unit;
+    const most = Math.max(...k.map(Math.abs), 1e-12);
+    const length = 0.35 * size * combLength.value / most;
+    const tips = fine.map((p, i) => [p[0] + length * k[i] * n[i][0], p[1] + length * k[i] * n[i][1]]);
+    const visible = combLength.value > 0 && fine.length > 0;
+    comb.setAttribute("d", visible ? fine.map((p, i) => path([p, tips[i]], false)).join("") : "");
+    crown.setAttribute("d", visible ? path(tips, true) : "");
+  }
+
+  function handle(index) {
+    const circle = element("circle", {r: 7, tabindex: 0, class: "handle", "aria-label": `control point ${index + 1}`});
+    circle.addEventListener("pointerdown", (event) => {
+      circle.setPointerCapture(event.pointerId);
+      event.preventDefault();
+      circle.focus();
+    });
+    circle.addEventListener("pointermove", (event) => {
+      if (!circle.hasPointerCapture(event.pointerId)) return;
+      points[index] = fromEvent(event);
+      draw();
+    });
+    circle.addEventListener("dblclick", (event) => {
+      event.stopPropagation();
+      if (points.length <= 3) return;
+      points.splice(index, 1);
+      edges = edges.map((list) => list && list.filter((_, j) => j !== index));
+      selected = Math.min(selected, points.length - 1);
+      draw();
+    });
+    circle.addEventListener("keydown", (event) => {
+      const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
+      if (!step) return;
+      event.preventDefault();
+      points[index] = points[index].map((x, c) => x + 5 * step[c] / unit);
+      draw();
+    });
+    return circle;
+  }
+
+  // The edge nearest to a point.
+  function nearestEdge(p) {
+    let best = 0, least = Infinity;
+    points.forEach((a, j) => {
+      const b = around(points, j + 1), d = [b[0] - a[0], b[1] - a[1]];
+      const along = ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / (d[0] * d[0] + d[1] * d[1] || 1);
+      const t = Math.max(0, Math.min(1, along));
+      const distance = Math.hypot(a[0] + t * d[0] - p[0], a[1] + t * d[1] - p[1]);
+      if (distance < least) [best, least] = [j, distance];
+    });
+    return best;
+  }
+  svg.addEventListener("click", (event) => {
+    if (event.target.classList.contains("handle") || !edgeControls.some(Boolean)) return;
+    selected = nearestEdge(fromEvent(event));
+    edgeControls.forEach((c, i) => c && c.set(edges[i][selected]));
+    draw();
+  });
+  svg.addEventListener("dblclick", (event) => {
+    const p = fromEvent(event), j = nearestEdge(p);
+    points.splice(j + 1, 0, p);
+    edges = edges.map((list) => list && [...list.slice(0, j + 1), list[j], ...list.slice(j + 1)]);
+    draw();
+  });
+
+  const button = (label, action) => {
+    const b = element("button", {type: "button"}, label);
+    b.addEventListener("click", action);
+    return b;
+  };
+  // Edge parameters stand in the line of the point at which their edge begins.
+  const csv = () => {
+    const names = config.locals.flatMap((p) => (p.rest === undefined ? [] : [p.name]));
+    const values = edges.filter(Boolean);
+    return [["x", "y", ...names], ...points.map((p, j) => [...p, ...values.map((list) => list[j])])]
+      .map((line) => line.join(",") + "\n").join("");
+  };
+  const buttons = element("p", {class: "buttons"},
+    button("fit", () => { fit(); draw(); }),
+    button("reset", () => {
+      points = config.points.map((p) => p.slice());
+      edges = edgeValues(points.length);
+      selected = 0;
+      config.levels.forEach((p, i) => levels[i].set(p.value));
+      config.constants.forEach((p, i) => constants[i].set(p.value));
+      edgeControls.forEach((c, i) => c && c.set(config.locals[i].rest));
+      steps.set(config.refinements);
+      combLength.set(0.5);
+      fit();
+      draw();
+    }),
+    button("copy points.csv", () => navigator.clipboard.writeText(csv())));
+  const controls = [...levels.filter((_, i) => !config.levels[i].fixed), ...constants, ...edgeControls.filter(Boolean), steps, combLength].map((c) => c.row);
+  root.replaceChildren(svg, element("div", {class: "controls"}, ...controls, buttons, message, element("p", {}, command)));
+  fit();
+  draw();
+}

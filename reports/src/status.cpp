@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "twoscale/reports/status.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "twoscale/analysis/prove.hpp"
+#include "twoscale/analysis/regularity.hpp"
+#include "twoscale/symbolic/catalog.hpp"
+#include "twoscale/symbolic/error.hpp"
+
+namespace twoscale::reports {
+
+namespace {
+
+using Kind = StatusCell::Kind;
+using analysis::Decision;
+using analysis::Verdict;
+
+struct Property {
+  std::string title;
+  std::string claim;  // what prove() calls it
+  bool needs_symbol;  // it is a question about masks
+};
+
+const std::vector<Property>& properties() {
+  static const std::vector<Property> list = {
+      {"interpolatory", "interpolatory", false}, {"symmetric", "symmetric", true},    {"sum rules", "sum-rules", true},
+      {"generates", "generates", true},          {"reproduces", "reproduces", false}, {"maximal", "maximal", true},
+      {"well-defined", "well-defined", true},    {"smoothness", "continuity", false}};
+  return list;
+}
+
+bool has_symbol(const Scheme& s) { return s.block == 1 && is_uniform(s); }
+
+bool claimed(const std::vector<Claim>& claims, const std::string& name) {
+  return std::any_of(claims.begin(), claims.end(), [&](const Claim& c) { return c.name == name; });
+}
+
+// The claims of the source, and the same questions where it is silent. Smoothness of schemes with a symbol is found,
+// not asked.
+std::vector<Claim> questions(const Scheme& scheme) {
+  std::vector<Claim> claims = scheme.claims;
+  if (!has_symbol(scheme)) return claims;
+  Scheme silent = scheme;
+  silent.claims.clear();
+  for (const Claim& c : analysis::default_claims(silent))
+    if (!claimed(claims, c.name)) claims.push_back(c);
+  for (const char* name : {"interpolatory", "symmetric"})
+    if (!claimed(claims, name)) claims.push_back({name, "", ""});
+  claims.erase(std::remove_if(claims.begin(), claims.end(), [](const Claim& c) { return c.name == "continuity"; }),
+               claims.end());
+  return claims;
+}
+
+std::string detail(const Decision& d) {
+  if (d.verdict == Verdict::undecided) return d.witness;
+  if (d.claim == "continuity") return "C^" + (d.subject.empty() ? "0" : d.subject);
+  if (d.claim == "sum-rules" && !d.subject.empty()) return "order " + d.subject;
+  return d.subject;
+}
+
+Kind kind_of(Verdict v) {
+  return v == Verdict::proved ? Kind::proved : v == Verdict::refuted ? Kind::refuted : Kind::undecided;
+}
+
+// Several claims of one name: a refuted one counts, then an undecided one.
+StatusCell combined(const std::vector<Decision>& decisions, const std::string& claim) {
+  StatusCell cell{Kind::undecided, "nothing is claimed, and the prover does not ask"};
+  const auto rank = [](Kind k) { return k == Kind::refuted ? 2 : k == Kind::undecided ? 1 : 0; };
+  bool first = true;
+  for (const Decision& d : decisions) {
+    if (d.claim != claim) continue;
+    const Kind k = kind_of(d.verdict);
+    if (first || rank(k) > rank(cell.kind)) cell = {k, detail(d)};
+    first = false;
+  }
+  return cell;
+}
+
+StatusCell smoothness(const Scheme& scheme) {
+  try {
+    const analysis::Regularity r = analysis::regularity(with_default_values(scheme), {});
+    if (!r.obstacle.empty()) return {Kind::undecided, r.obstacle};
+    if (r.level_dependent && !r.transferred) return {Kind::undecided, "of the limit mask only"};
+    if (r.continuity < 0) return {Kind::undecided, "not proved to be continuous"};
+    return {Kind::proved, "C^" + std::to_string(r.continuity)};
+  } catch (const Error& e) {
+    if (e.kind == Error::Kind::io) throw;
+    return {Kind::undecided, e.what()};
+  }
+}
+
+}  // namespace
+
+std::string to_string(Kind kind) {
+  switch (kind) {
+    case Kind::proved: return "proved";
+    case Kind::refuted: return "refuted";
+    case Kind::undecided: return "undecided";
+    case Kind::not_applicable: break;
+  }
+  return "–";
+}
+
+const std::vector<std::string>& status_properties() {
+  static const std::vector<std::string> titles = [] {
+    std::vector<std::string> list;
+    for (const Property& p : properties()) list.push_back(p.title);
+    return list;
+  }();
+  return titles;
+}
+
+StatusRow status_of(const std::string& name) {
+  const Scheme scheme = make_scheme(name);
+  StatusRow row{name, scheme.source, {}};
+  std::vector<Decision> decisions;
+  std::string refusal;
+  try {
+    decisions = analysis::prove(scheme, questions(scheme)).decisions;
+  } catch (const Error& e) {
+    if (e.kind == Error::Kind::io) throw;
+    refusal = e.what();
+  }
+  for (const Property& p : properties()) {
+    if (p.needs_symbol && !has_symbol(scheme))
+      row.cells.push_back({});
+    else if (p.claim == "continuity" && has_symbol(scheme))
+      row.cells.push_back(smoothness(scheme));
+    else if (!refusal.empty())
+      row.cells.push_back({Kind::undecided, refusal});
+    else
+      row.cells.push_back(combined(decisions, p.claim));
+  }
+  return row;
+}
+
+std::vector<StatusRow> status_matrix(bool every_example, const std::function<void(const std::string&)>& progress) {
+  std::vector<StatusRow> rows;
+  for (const CatalogEntry& entry : catalog())
+    for (const std::string& name : entry.examples) {
+      if (!every_example && &name != &entry.examples[0]) continue;
+      if (progress) progress("status of " + name);
+      rows.push_back(status_of(name));
+    }
+  return rows;
+}
+
+std::string to_markdown(const std::vector<StatusRow>& rows) {
+  std::string head = "| scheme |", line = "| --- |";
+  for (const auto& p : status_properties()) {
+    head += " " + p + " |";
+    line += " --- |";
+  }
+  std::string s = head + "\n" + line + "\n";
+  for (const StatusRow& row : rows) {
+    s += "| `" + row.scheme + "` |";
+    for (const StatusCell& c : row.cells) {
+      const bool brief = c.detail.starts_with("C^") || c.detail.starts_with("order ");
+      s += " " + to_string(c.kind) + (brief ? ": " + c.detail : "") + " |";
+    }
+    s += "\n";
+  }
+  return s;
+}
+
+}  // namespace twoscale::reports

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a refinement is executed does not show in its bits: tiles, chunks, threads, instruction sets, streams, pieces.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <bit>
+#include <cstdint>
+#include <random>
+
+#include "allocations.hpp"
+#include "tables.hpp"
+#include "twoscale/kernels/refine.hpp"
+
+namespace twoscale::kernels {
+namespace {
+
+using testing::allocations;
+using testing::four_point;
+using testing::row;
+using testing::stationary;
+using testing::tension;
+
+constexpr Boundary boundaries[] = {Boundary::closed, Boundary::given, Boundary::linear, Boundary::space};
+
+// A number that takes the plain path: one product and one sum at a time.
+template <class Real>
+struct Plain {
+  Real x = 0;
+  friend Plain operator+(Plain a, Plain b) { return {a.x + b.x}; }
+  friend Plain operator*(Plain a, Plain b) {
+    volatile Real product = a.x * b.x;
+    return {product};
+  }
+};
+
+template <class Real>
+using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+
+template <class Real>
+void expect_same_bits(std::span<const Real> a, std::span<const Real> b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ASSERT_EQ(std::bit_cast<Bits<Real>>(a[i]), std::bit_cast<Bits<Real>>(b[i])) << "at " << i;
+}
+
+// Equal up to the sign of 0: Plain adds the products with weights 0 too.
+template <class Real>
+void expect_same_values(std::span<const Real> a, std::span<const Real> b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(a[i], b[i]) << "at " << i;
+}
+
+template <class Real>
+std::vector<Real> random_points(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<Real> number(-1, 1);
+  std::vector<Real> points(count);
+  for (Real& x : points) x = number(random);
+  return points;
+}
+
+// A table whose masks differ in support and have zeros; `extension` weights for Boundary::space.
+MaskTable random_table(int arity, int levels, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-0.5, 0.5);
+  MaskTable table = stationary(arity, 0, {1, 1, 1, 1, 1}, seed % 2 == 0 ? "0" : "1/2");
+  for (int k = 0; k < levels; ++k) {
+    std::vector<double> mask(static_cast<std::size_t>(arity) + random() % 14), weights(1 + random() % 4);
+    for (double& a : mask) a = random() % 5 == 0 ? 0 : number(random);
+    if (random() % 2 == 0) {  // a phase that copies
+      for (std::size_t s = 0; s < mask.size(); s += static_cast<std::size_t>(arity)) mask[s] = 0;
+      mask[mask.size() / 2 / static_cast<std::size_t>(arity) * static_cast<std::size_t>(arity)] = 1;
+    }
+    for (double& a : weights) a = number(random);
+    table.levels.push_back(row(-static_cast<long>(random() % 9), mask, weights));
+  }
+  table.limit = table.levels.back();
+  return table;
+}
+
+template <class Real>
+std::vector<Real> plainly(std::span<const Real> points, std::size_t dim, const MaskTable& table, int levels,
+                          Boundary boundary) {
+  std::vector<Plain<Real>> in;
+  for (const Real x : points) in.push_back({x});
+  std::vector<Real> out;
+  for (const Plain<Real> y :
+       refine<Plain<Real>>(in, dim, table, levels, boundary,
+                           [](const std::string&, double value) { return Plain<Real>{static_cast<Real>(value)}; }))
+    out.push_back(y.x);
+  return out;
+}
+
+// Small tiles, so that there are many.
+detail::Cutting cutting(unsigned seed, bool stream) {
+  std::mt19937 random(seed);
+  detail::Cutting c;
+  c.tile_values = std::size_t{1} << random() % 12;
+  c.chunk_values = std::size_t{1} << random() % 11;
+  c.columns = 1 + random() % 70;
+  c.grain_rows = 1 + random() % 500;
+  c.stream = stream;
+  return c;
+}
+
+class Targets {  // back to all of them at the end of a test
+ public:
+  explicit Targets(std::int64_t only) { hwy::SetSupportedTargetsForTest(only); }
+  ~Targets() { hwy::SetSupportedTargetsForTest(0); }
+};
+
+template <class Real>
+void compare(unsigned seed) {
+  std::mt19937 random(seed);
+  const int arity = 2 + static_cast<int>(seed % 3 == 0 ? random() % 4 : 0);
+  const int levels = 1 + static_cast<int>(random() % (arity == 2 ? 7U : 4U));
+  const MaskTable table = random_table(arity, levels, seed);
+  const std::size_t dim = seed % 7 == 0 ? 5 + random() % 90 : 1 + random() % 4;
+  const std::vector<Real> points = random_points<Real>((30 + random() % 40) * dim, seed);
+  for (const Boundary boundary : boundaries) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + " boundary " + std::to_string(static_cast<int>(boundary)));
+    Refiner<Real> refiner(table);
+    const std::size_t count = refiner.output(points.size() / dim, levels, boundary).count * dim;
+    if (count > 60000) continue;
+    const std::vector<Real> expected = plainly<Real>(points, dim, table, levels, boundary);
+    const std::vector<Real> first = refiner.refine(points, dim, levels, boundary);
+    expect_same_values<Real>(first, expected);
+    std::vector<Real> room(count + 9);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      const Targets only(target);
+      for (const bool stream : {false, true}) {
+        refiner.set_cutting(cutting(seed + static_cast<unsigned>(target), stream));
+        refiner.set_threads(static_cast<int>(1 + random() % 3));
+        const std::span<Real> out = std::span<Real>(room).subspan(random() % 9, count);
+        refiner.refine(points, dim, levels, boundary, out);
+        expect_same_bits<Real>(out, first);
+        if (::testing::Test::HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(Fused, DoublesHaveTheBitsOfThePlainLoop) {
+  for (unsigned seed = 0; seed < 60 && !HasFatalFailure(); ++seed) compare<double>(seed);
+}
+
+TEST(Fused, FloatsHaveTheBitsOfThePlainLoop) {
+  for (unsigned seed = 100; seed < 130 && !HasFatalFailure(); ++seed) compare<float>(seed);
+}
+
+TEST(Fused, InterpolatingMasksOfEveryLengthAndDimension) {
+  for (long l = 1; l <= 9; ++l) {
+    std::vector<double> mask(static_cast<std::size_t>(4 * l - 1), 0.0);
+    for (std::size_t s = 0; s < mask.size(); s += 2) mask[s] = 1.0 / static_cast<double>(s + 3);
+    mask[static_cast<std::size_t>(2 * l - 1)] = 1;
+    const MaskTable table = stationary(2, 1 - 2 * l, mask);
+    for (std::size_t dim = 1; dim <= 4; ++dim) {
+      const std::vector<double> points = random_points<double>(40 * dim, static_cast<unsigned>(l));
+      const std::vector<double> expected = refine(points, dim, table, 5, Boundary::closed);
+      expect_same_values<double>(expected, plainly<double>(points, dim, table, 5, Boundary::closed));
+      for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        const Targets only(target);
+        Refiner<double> refiner(table);
+        refiner.set_cutting(cutting(static_cast<unsigned>(l), dim % 2 == 0));
+        expect_same_bits<double>(refiner.refine(points, dim, 5, Boundary::closed), expected);
+      }
+    }
+  }
+}
+
+TEST(Fused, AWeightThatChangesByOneBitIsSeen) {  // so that the comparisons above can fail
+  MaskTable table = tension(0.3, 6);
+  const std::vector<double> points = random_points<double>(60, 1);
+  const std::vector<double> expected = plainly<double>(points, 2, table, 6, Boundary::closed);
+  table.levels[5].value[0] = std::nextafter(table.levels[5].value[0], 1.0);
+  EXPECT_NE(refine(points, 2, table, 6, Boundary::closed), expected);
+  table = tension(0.3, 6);
+  EXPECT_EQ(refine(points, 2, table, 6, Boundary::closed), expected);
+}
+
+TEST(Fused, RowsArePartsOfTheWhole) {
+  std::mt19937 random(5);
+  for (const MaskTable& table : {tension(0.3, 6), random_table(3, 4, 8), random_table(2, 6, 9)}) {
+    const int levels = static_cast<int>(table.levels.size());
+    const std::vector<double> points = random_points<double>(40 * 3, 3);
+    for (const Boundary boundary : boundaries) {
+      Refiner<double> refiner(table);
+      const std::vector<double> whole = refiner.refine(points, 3, levels, boundary);
+      for (int round = 0; round < 20; ++round) {
+        const std::size_t first = random() % (whole.size() / 3);
+        std::vector<double> part((1 + random() % (whole.size() / 3 - first)) * 3);
+        refiner.refine_rows(points, 3, levels, boundary, first, part);
+        expect_same_bits<double>(part, std::span<const double>(whole).subspan(first * 3, part.size()));
+      }
+      std::vector<double> joined;
+      refiner.for_each_piece(points, 3, levels, boundary, 1 + random() % 900,
+                             [&](std::size_t first_row, std::span<const double> piece) {
+                               EXPECT_EQ(first_row * 3, joined.size());
+                               joined.insert(joined.end(), piece.begin(), piece.end());
+                             });
+      expect_same_bits<double>(joined, whole);
+      std::vector<double> beyond(6);
+      EXPECT_THROW(refiner.refine_rows(points, 3, levels, boundary, whole.size() / 3 - 1, beyond), Error);
+    }
+  }
+}
+
+TEST(Fused, ManyLevelsOfFewPoints) {
+  const std::vector<double> triangle = {0, 0, 4, 0, 0, 3};
+  Refiner<double> refiner(four_point());
+  std::vector<double> some(20);
+  refiner.refine_rows(triangle, 2, 30, Boundary::closed, std::size_t{1} << 30, some);
+  EXPECT_EQ(some[0], 4.0);  // the vertex 1, kept by an interpolating rule
+  EXPECT_EQ(some[1], 0.0);
+}
+
+TEST(Fused, ARepeatedCallAllocatesNothing) {
+  for (const Boundary boundary : boundaries) {
+    const MaskTable table = tension(0.3, 9);
+    const std::vector<double> points = random_points<double>(200, 1);
+    Refiner<double> refiner(table);
+    refiner.set_threads(1);
+    std::vector<double> out(refiner.output(100, 9, boundary).count * 2);
+    refiner.refine(points, 2, 9, boundary, out);
+    const std::size_t before = allocations();
+    for (int i = 0; i < 3; ++i) refiner.refine(points, 2, 9, boundary, out);
+    EXPECT_EQ(allocations(), before);
+    std::vector<double> other(refiner.output(100, 8, boundary).count * 2);
+    const std::size_t again = allocations();
+    refiner.refine(points, 2, 8, boundary, other);
+    EXPECT_GT(allocations(), again);  // the counter counts
+  }
+}
+
+TEST(Fused, NegativeThreadsAreRefused) {
+  Refiner<double> refiner(four_point());
+  EXPECT_THROW(refiner.set_threads(-1), Error);
+}
+
+}  // namespace
+}  // namespace twoscale::kernels
