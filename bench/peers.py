@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a user would run instead, timed beside our own benchmarks: SymPy, PARI/GP, mpmath, SciPy, NumPy.
 
-    peers.py TWOSCALE RESULTS OUT [--full] [--only PART]
+    peers.py TWOSCALE RESULTS OUT [--full] [--only PART,...]
 
 RESULTS holds the JSON files of the C++ benchmarks (from scripts/bench); the peers get the same spaces, the folded
 system that `twoscale derive --format json` prints, the masks of `twoscale table`, and the matrices of an exponent (from
@@ -30,6 +30,8 @@ import mpmath
 import numpy
 import scipy.signal
 import sympy
+from sympy.polys.densearith import dup_add, dup_mul, dup_mul_ground
+from sympy.polys.domains import ZZ
 
 import regularity_peer
 
@@ -90,6 +92,64 @@ def pari_matsolve(system, limit):
     except subprocess.TimeoutExpired:
         return None
     return float(done.stdout) / 1000
+
+
+# The zero and value conditions of zeta.
+
+def sympy_cancel(zeta, nodes):
+    """CPU seconds of the same by expressions: the derivatives of 1 + P at the -w_i, each put to 0 by cancel()."""
+    v, w = sympy.symbols("v w")
+    half = [sympy_expression(c) for c in zeta[len(zeta) // 2:]]
+    p = sum(((2 if m else 1) * a * sympy.chebyshevt(m, w) for m, a in enumerate(half)), sympy.Integer(0))
+
+    def verify():
+        for node in set(nodes):
+            derivative = p
+            for _ in range(nodes.count(node)):
+                assert sympy.cancel(derivative.subs(w, -node)) == 0
+                derivative = derivative.diff(w)
+
+    return measure(verify, most=1)
+
+
+def sympy_conditions(zeta, nodes):
+    """CPU seconds of the faster of two ways to verify that 1 + P(w), w = (z + 1/z)/2, vanishes at the -w_i to their orders.
+
+    zeta = 1 + P; P is odd, so the values at the w_i follow. Repeated synthetic division by w + w_i with coefficients in
+    Z[v] over one denominator, in SymPy's dense lists of integers and in its sparse ring: what SymPy does fastest.
+    """
+    v = sympy.Symbol("v")
+    half = [sympy.fraction(sympy_expression(c)) for c in zeta[len(zeta) // 2:]]
+    bottom = sympy.Poly(1, v)
+    for _, d in half:
+        bottom = bottom.lcm(sympy.Poly(d, v))
+    tops = [sympy.Poly(n, v) * bottom.exquo(sympy.Poly(d, v)) for n, d in half]
+    chebyshev = [[int(a) for a in reversed(sympy.Poly(sympy.chebyshevt(m, v), v).all_coeffs())] for m in range(len(half))]
+    chebyshev[0] = [1]
+    dense = [[[ZZ(int(a)) for a in p.all_coeffs()] for p in polynomials]
+             for polynomials in (tops, [sympy.Poly(w, v) for w in nodes])]
+    ring, _ = sympy.polys.rings.ring("v", ZZ)
+    sparse = [[ring.from_list(p) for p in polynomials] for polynomials in dense]
+
+    def verify(tops, nodes, zero, times, add, scale):
+        c = [zero] * len(tops)  # by powers of w
+        for m, top in enumerate(tops):
+            for power, a in enumerate(chebyshev[m]):
+                if a:
+                    c[power] = add(c[power], scale(top, a if m == 0 else 2 * a))
+        for w in nodes:
+            rest = c[-1]
+            quotient = [rest]
+            for a in reversed(c[:-1]):
+                rest = add(a, scale(times(w, rest), -1))
+                quotient.append(rest)
+            assert not rest
+            c = quotient[-2::-1]
+
+    return min(
+        measure(lambda: verify(*dense, [], lambda a, b: dup_mul(a, b, ZZ), lambda a, b: dup_add(a, b, ZZ),
+                               lambda a, n: dup_mul_ground(a, ZZ(n), ZZ))),
+        measure(lambda: verify(*sparse, ring(0), lambda a, b: a * b, lambda a, b: a + b, lambda a, n: a * n)))
 
 
 # Tables: zeta as fractions of integer polynomials in v, evaluated by Horner.
@@ -190,24 +250,24 @@ class Run:
     def row(self, job, at, mine, peer, theirs):
         ratio = theirs / mine if theirs is not None else None
         self.rows.append({"job": job, "at": at, "ours": mine, "peer": peer, "theirs": theirs, "ratio": ratio})
+        # A limit is wall clock, so it gives no ratio.
         shown = seconds(theirs) if theirs is not None else f"> {self.limit} s" if peer else ""
         factor = f"{ratio:,.0f}" if ratio is not None and ratio >= 10 else f"{ratio:.1f}" if ratio is not None else ""
-        if ratio is None and peer:
-            factor = f"> {self.limit / mine:,.0f}"
         print(f"{job:<32} {at:>16} {seconds(mine):>9}  {peer:<22} {shown:>9} {factor:>10}", flush=True)
 
     def derive(self):
         for name in FAMILIES + OTHERS:
             alive = {"sympy": True, "pari": True}
-            for l in range(2, 9):
+            for l in range(2, 11):
                 ours = f"derive/{name}/l:{l}"
-                if ours not in self.ours:
+                if ours not in self.ours or (l > 8 and name in OTHERS):
                     continue
                 folded = self.json("derive", "--space", self.ours[ours]["label"])["folded"]
                 if alive["sympy"]:
                     first, again = within(self.limit, sympy_linsolve, folded) or (None, None)
                     alive["sympy"] = first is not None
                     self.compare(f"derive {name}", f"l={l}", ours, "SymPy linsolve", first)
+                    self.compare(f"factored {name}", f"l={l}", f"factored/{name}/l:{l}", "SymPy linsolve", first)
                     if again is not None:
                         self.compare(f"derive {name}", f"l={l}", ours, "SymPy, same call again", again)
                 if alive["pari"]:
@@ -221,10 +281,15 @@ class Run:
                 other = self.ours.get(f"ginac/{name}/l:{l}")
                 if other:
                     self.compare(f"derive {name}", f"l={l}", ours, "GiNaC lsolve+normal", other["seconds"])
+                    self.compare(f"factored {name}", f"l={l}", f"factored/{name}/l:{l}", "GiNaC lsolve+normal",
+                                 other["seconds"])
                 for route in ("generic", "hessenberg", "folded"):
                     own = self.ours.get(f"{route}/{name}/l:{l}")
                     if own and l == 8:
                         self.compare(f"derive {name}", f"l={l}", ours, f"own route: {route}", own["seconds"])
+        for l in (16, 32, 64):
+            if f"factored/harmonic/l:{l}" in self.ours:
+                self.row("factored harmonic", f"l={l}", self.ours[f"factored/harmonic/l:{l}"]["seconds"], "", None)
 
     def process(self):
         """The whole program at l = 8, medians of 15: CPU seconds, and wall-clock seconds."""
@@ -241,17 +306,25 @@ class Run:
             self.row(f"process: derive {name}", "l=8, wall clock", statistics.median(wall), "", None)
 
     def prove(self):
+        v = sympy.Symbol("v")
         for name in FAMILIES:
-            for l in range(2, 9):
+            for l in range(2, 11):
                 if f"prove/{name}/l:{l}" in self.ours:
                     self.row(f"prove {name}", f"l={l}", self.ours[f"prove/{name}/l:{l}"]["seconds"], "", None)
+                if l in (4, 6, 8, 10) and f"conditions/{name}/l:{l}" in self.ours:
+                    zeta = self.json("derive", f"interpolating:family={name},l={l}")["zeta"]["coefficients"]
+                    nodes = {"mixed": [sympy.Integer(1)] * (l - 1) + [v], "resonant": [sympy.Integer(1)] + [v] * (l - 1),
+                             "harmonic": [sympy.chebyshevt(j, v) for j in range(l)]}[name]
+                    for peer, job in (("SymPy, by division", sympy_conditions), ("SymPy, by cancel", sympy_cancel)):
+                        self.compare(f"conditions {name}", f"l={l}", f"conditions/{name}/l:{l}", peer,
+                                     within(self.limit, job, zeta, nodes))
 
     def table(self):
         for name in FAMILIES:
             zeta = self.json("derive", f"interpolating:family={name},l=3")["zeta"]
             fractions = integer_fractions(zeta["coefficients"])
             for text, v0 in (("-2/5", (-2, 5)), ("cos(2*pi/7)", None)):
-                for digits in (50, 200, 1000):
+                for digits in (50, 200, 1000, 10000):
                     ours = f"table/{name}/{text}/digits:{digits}"
                     for printing in (True, False):
                         theirs = mpmath_table(fractions, v0, digits, 60, printing)
@@ -322,25 +395,29 @@ class Run:
         return members
 
     def growth(self):
-        """Exponents of growth in l, or n: least squares through (log l, log seconds), l = 4.. and l = 8.. ."""
+        """Exponents of growth in l, n, the number K of levels, digits, points: least squares in logarithms, from 4 and from
+        8 on for l and n."""
         series = {}
+        unit = {}
         for name, value in self.ours.items():
-            found = re.fullmatch(r"(.*)/[ln]:(\d+)", name)
+            found = re.fullmatch(r"(.*)/(l|n|K|digits|points):(\d+)", name)
             if found:
-                series.setdefault(found[1], []).append((int(found[2]), value["seconds"]))
+                unit[found[1]] = found[2]
+                series.setdefault(found[1], []).append((int(found[3]), value["seconds"]))
         for row in self.rows:
             if row["peer"] in ("SymPy linsolve", "PARI matsolve") and row["theirs"]:
                 series.setdefault(f"{row['peer']} {row['job'][7:]}", []).append((int(row["at"][2:]), row["theirs"]))
         result = {}
-        print(f"\n{'growth like l^e':<36} {'l':>8} {'e':>6}")
+        print(f"\n{'growth like x^e':<40} {'x':>18} {'e':>6}")
         for name, points in series.items():
-            for first in (4, 8):
-                tail = [(math.log(l), math.log(s)) for l, s in sorted(points) if l >= first]
+            x = unit.get(name, "l")
+            for first in (4, 8) if x in "ln" else (1,):
+                tail = [(p, s) for p, s in sorted(points) if p >= first]
                 if len(tail) >= 3:
-                    slope = numpy.polyfit(*zip(*tail), 1)[0]
-                    span = f"{first}..{max(l for l, _ in points)}"
+                    slope = numpy.polyfit(*zip(*[(math.log(p), math.log(s)) for p, s in tail]), 1)[0]
+                    span = f"{x}={tail[0][0]}..{tail[-1][0]}"
                     result[f"{name} {span}"] = slope
-                    print(f"{name:<36} {span:>8} {slope:6.1f}")
+                    print(f"{name:<40} {span:>18} {slope:6.1f}")
         return result
 
 
@@ -367,15 +444,16 @@ def main():
     parser.add_argument("results")
     parser.add_argument("out")
     parser.add_argument("--full", action="store_true", help="600 instead of 60 seconds for a case")
-    parser.add_argument("--only", help="one part: derive, process, prove, table, refine or regularity")
+    parser.add_argument("--only", help="a comma list of derive, process, prove, table, refine, regularity")
     arguments = parser.parse_args()
     run = Run(arguments)
+    wanted = arguments.only and arguments.only.split(",")
     print(machine() + "\n")
     print(f"{'job':<32} {'':>16} {'ours':>9}  {'peer':<22} {'theirs':>9} {'ratio':>10}")
     for part in (run.derive, run.process, run.prove, run.table, run.refine):
-        if arguments.only in (None, part.__name__):
+        if wanted is None or part.__name__ in wanted:
             part()
-    exponents = run.exponents() if arguments.only in (None, "regularity") else {}
+    exponents = run.exponents() if wanted is None or "regularity" in wanted else {}
     document = {"format": "twoscale/bench", "machine": machine(), "rows": run.rows, "exponents": exponents,
                 "growth": run.growth(), "benchmarks": run.ours}
     Path(arguments.out).write_text(json.dumps(document, indent=1) + "\n")

@@ -8,9 +8,7 @@
 namespace twoscale::bench {
 namespace {
 
-constexpr unsigned levels = 60;
-
-void table(benchmark::State& state, const char* family, const char* v0) {
+void table(benchmark::State& state, const char* family, const char* v0, unsigned levels) {
   const Scheme scheme = make_scheme(std::string("interpolating:family=") + family + ",l=3");
   lowering::LowerOptions options;
   options.levels = levels;
@@ -21,13 +19,25 @@ void table(benchmark::State& state, const char* family, const char* v0) {
   state.SetLabel(scheme.id + " " + v0);
 }
 
-#define TWOSCALE_TABLE(family)                                                                            \
-  BENCHMARK_CAPTURE(table, family/-2/5, #family, "-2/5")->ArgName("digits")->Arg(50)->Arg(200)->Arg(1000); \
-  BENCHMARK_CAPTURE(table, family/cos(2*pi/7), #family, "cos(2*pi/7)")->ArgName("digits")->Arg(50)->Arg(200)->Arg(1000)
+#define TWOSCALE_TABLE_AT(family, v0)               \
+  BENCHMARK_CAPTURE(table, family, #family, v0, 60) \
+      ->Name("table/" #family "/" v0)               \
+      ->ArgName("digits")                           \
+      ->Arg(50)                                     \
+      ->Arg(200)                                    \
+      ->Arg(1000)                                   \
+      ->Arg(10000)
+#define TWOSCALE_TABLE(family)       \
+  TWOSCALE_TABLE_AT(family, "-2/5"); \
+  TWOSCALE_TABLE_AT(family, "cos(2*pi/7)")
 
 TWOSCALE_TABLE(mixed);
 TWOSCALE_TABLE(harmonic);
 TWOSCALE_TABLE(resonant);
+
+// Growth with the number K of levels, 50 digits.
+void levels(benchmark::State& state) { table(state, "mixed", "-2/5", static_cast<unsigned>(state.range(1))); }
+BENCHMARK(levels)->Name("levels/mixed")->ArgNames({"digits", "K"})->ArgsProduct({{50}, {60, 120, 240, 480, 960}});
 
 }  // namespace
 }  // namespace twoscale::bench

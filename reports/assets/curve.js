@@ -312,7 +312,13 @@ function interactiveCurve(root, scheme, config) {
     b.addEventListener("click", action);
     return b;
   };
-  const csv = () => "x,y\n" + points.map((p) => p.join(",")).join("\n") + "\n";
+  // Edge parameters stand in the line of the point at which their edge begins.
+  const csv = () => {
+    const names = config.locals.flatMap((p) => (p.rest === undefined ? [] : [p.name]));
+    const values = edges.filter(Boolean);
+    return [["x", "y", ...names], ...points.map((p, j) => [...p, ...values.map((list) => list[j])])]
+      .map((line) => line.join(",") + "\n").join("");
+  };
   const buttons = element("p", {class: "buttons"},
     button("fit", () => { fit(); draw(); }),
     button("reset", () => {

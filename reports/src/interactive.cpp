@@ -72,7 +72,14 @@ std::string in_script(const Json& j) {
 
 }  // namespace
 
-bool can_be_interactive(const Scheme& scheme) { return scheme.block == 1; }
+const std::vector<double>& sample_polygon() {
+  static const std::vector<double> polygon = {0, 0, 2, 0.2, 3.2, 1.4, 2.4, 2.8, 1.6, 1.7, 0.6, 3.0, -0.6, 1.6};
+  return polygon;
+}
+
+bool can_be_interactive(const Scheme& scheme) {
+  return scheme.block == 1 && (is_uniform(scheme) || !scheme.kernel.empty());
+}
 
 std::string interactive_html(Part& part, const Scheme& scheme, const lowering::Binding& binding,
                              const Interactive& what) {

@@ -17,6 +17,9 @@ struct Interactive {
   std::vector<double> points;  // x, y of a closed polygon
 };
 
+// A closed polygon with short and long edges, a reflex vertex and an acute one.
+const std::vector<double>& sample_polygon();
+
 // Can be drawn so: scalar, with or without knots.
 bool can_be_interactive(const Scheme& scheme);
 // Required: can_be_interactive. The sliders start at the values of the binding.

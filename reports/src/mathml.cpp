@@ -121,14 +121,23 @@ class Reader {
     return {symbol(name), false, false};
   }
 
-  static std::string symbol(const std::string& name) {
-    static const std::map<std::string, std::string> letters = {
-        {"pi", "π"}, {"theta", "θ"}, {"omega", "ω"}, {"lambda", "λ"}};
+  // "λ" for "lambda".
+  static std::string known_letter(const std::string& name) {
+    static const std::map<std::string, std::string> letters = {{"pi", "π"},     {"theta", "θ"}, {"omega", "ω"},
+                                                               {"lambda", "λ"}, {"mu", "μ"},    {"alpha", "α"}};
     const auto known = letters.find(name);
-    if (known != letters.end()) return "<mi>" + known->second + "</mi>";
+    return known != letters.end() ? known->second : name;
+  }
+
+  static std::string symbol(const std::string& name) {
     const auto below = name.find('_');
-    if (below == std::string::npos || below == 0 || below + 1 == name.size()) return "<mi>" + name + "</mi>";
-    return "<msub><mi>" + name.substr(0, below) + "</mi><mi>" + name.substr(below + 1) + "</mi></msub>";
+    if (below == std::string::npos || below == 0 || below + 1 == name.size())
+      return "<mi>" + known_letter(name) + "</mi>";
+    // d_m1 is how the value of a local parameter at the offset -1 is spelled.
+    const std::string letter = known_letter(name.substr(0, below)), index = name.substr(below + 1);
+    if (index.size() > 1 && index[0] == 'm' && index.find_first_not_of("0123456789", 1) == std::string::npos)
+      return "<msub><mi>" + letter + "</mi><mrow><mo>−</mo><mn>" + index.substr(1) + "</mn></mrow></msub>";
+    return "<msub><mi>" + letter + "</mi><mi>" + index + "</mi></msub>";
   }
 
   std::string_view text_;

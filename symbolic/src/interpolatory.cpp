@@ -2,6 +2,8 @@
 #include "twoscale/symbolic/interpolatory.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <map>
 
 #include "newton_quotient.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -222,55 +224,66 @@ std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
   return symmetric_interpolatory(std::move(odd));
 }
 
-std::optional<Laurent> interpolating_symbol_harmonic(const Space& space) {
+std::optional<std::vector<CosineProduct>> interpolating_coefficients_harmonic(const Space& space) {
   if (space.polynomial_order() != 2 || space.variables().size() != 1) return std::nullopt;
   for (size_t i = 0; i < space.exponentials().size(); ++i)
     if (space.exponentials()[i].multiple != i + 1 || space.exponentials()[i].order != 1) return std::nullopt;
+  // Per factor (1 - T_i)/(T_m - T_i) = -(E^i - 1)^2 E^{m-i} / ((E^{m+i} - 1)(E^{m-i} - 1)); E^n - 1 = prod_{d|n} Phi_d.
+  // Over all odd i <= last, i != m, the m + i and |m - i| are the even numbers up to last + m and up to last - m
+  // without 2m, so the exponent of Phi_d is
+  //   2 #{odd i <= last, i != m: d | i} - #{even n <= last + m: d | n} - #{even n <= last - m: d | n} + [d | 2m].
+  // Phi_d(E) E^{-phi(d)/2} is the minimal polynomial of 2 cos(2 pi/d) at 2v, that is Psi_d times its content; (E+1)^2/E
+  // = 2 (v+1). The content is 2 for d = 2, 4, 8, .. and 1 otherwise: the coefficient of v^j has a factor 2^j, and the
+  // constant term, the norm of 2 cos(2 pi/d), is 0 for d = 4, +-p for d = 4 p^k and +-1 for all other d > 2.
   const unsigned l = static_cast<unsigned>(half_dimension(space));
-  const std::string& name = space.variables()[0].name;
-  // Per factor (1 - T_i)/(T_m - T_i) = -(E^i - 1)^2 E^{m-i} / ((E^{m+i} - 1)(E^{m-i} - 1)); E^n - 1 = prod_{d|n} Phi_d,
-  // and Phi_d(E) E^{-phi(d)/2} = (content of the minimal polynomial of 2 cos at 2v) * cosine_minimal(d); (E+1)^2/E = 2
-  // (v+1).
-  std::vector<std::vector<unsigned>> divisors(4 * l + 1);
-  for (unsigned d = 1; d <= 4 * l; ++d)
-    for (unsigned n = d; n <= 4 * l; n += d) divisors[n].push_back(d);
-  std::vector<Polynomial> minimal(4 * l + 1);
-  std::vector<Rational> lead(4 * l + 1);
-  for (unsigned d = 2; d <= 4 * l; ++d) {
-    minimal[d] = Polynomial::cosine_minimal(name, d);
-    // 2^phi(d)/2 is the leading coefficient of Phi_d in v before the content is taken out.
-    Rational leading;
-    minimal[d].for_each_term([&](const Rational& c, std::span<const unsigned long> e) {
-      if (static_cast<long>(e[0]) == minimal[d].total_degree()) leading = c;
-    });
-    lead[d] = Rational(2).pow(minimal[d].total_degree()) / leading;
-  }
-  std::vector<RationalFunction> odd(l);
-  std::vector<long> exponent(4 * l + 1);
-  for (unsigned m = 1; m < 2 * l; m += 2) {
-    std::fill(exponent.begin(), exponent.end(), 0);
-    bool negative = false;
-    for (unsigned i = 1; i < 2 * l; i += 2) {
-      if (i == m) continue;
-      if (i < m) negative = !negative;
-      for (const unsigned d : divisors[i]) exponent[d] += 2;
-      for (const unsigned d : divisors[m + i]) --exponent[d];
-      for (const unsigned d : divisors[m > i ? m - i : i - m]) --exponent[d];
+  const unsigned last = 2 * l - 1;
+  std::vector<CosineProduct> list(l);
+  for (unsigned m = 1; m <= last; m += 2) {
+    CosineProduct& a = list[(m - 1) / 2];
+    long two = -1;
+    for (unsigned d = 2; d <= last + m; ++d) {
+      const unsigned even = d % 2 == 0 ? d : 2 * d;
+      long exponent = -static_cast<long>((last + m) / even) - static_cast<long>((last - m) / even);
+      if (d % 2 == 1) exponent += 2 * static_cast<long>((last / d + 1) / 2 - (m % d == 0 ? 1 : 0));
+      if (2 * m % d == 0) ++exponent;
+      if (d == 2) exponent /= 2;
+      if (exponent == 0) continue;
+      if (std::has_single_bit(d)) two += exponent;
+      a.factors.emplace_back(d, exponent);
     }
-    exponent[2] /= 2;
-    Rational content(negative ? -1 : 1, 2);
+    a.content = Rational(2).pow(two);
+    if (m % 4 == 3) a.content = -a.content;
+  }
+  return list;
+}
+
+std::optional<Laurent> interpolating_symbol_harmonic(const Space& space) {
+  const auto products = interpolating_coefficients_harmonic(space);
+  if (!products) return std::nullopt;
+  // The minimal polynomials that occur, in the order of canonical denominators.
+  std::map<unsigned, Polynomial> minimal;
+  for (const CosineProduct& a : *products)
+    for (const auto& [d, exponent] : a.factors)
+      if (!minimal.contains(d)) minimal.emplace(d, Polynomial::cosine_minimal(space.variables()[0].name, d));
+  std::vector<unsigned> order;
+  for (const auto& [d, p] : minimal) order.push_back(d);
+  std::sort(order.begin(), order.end(),
+            [&](unsigned a, unsigned b) { return Polynomial::compare(minimal.at(a), minimal.at(b)) < 0; });
+  std::vector<std::pair<unsigned, const Polynomial*>> ordered;
+  for (const unsigned d : order) ordered.emplace_back(d, &minimal.at(d));
+  std::vector<RationalFunction> odd;
+  std::vector<long> exponents(order.empty() ? 0 : *std::max_element(order.begin(), order.end()) + 1);
+  for (const CosineProduct& a : *products) {
+    std::fill(exponents.begin(), exponents.end(), 0);
+    for (const auto& [d, exponent] : a.factors) exponents[d] = exponent;
     Polynomial top = 1;
     Factors bottom;
-    for (unsigned d = 2; d <= 4 * l; ++d) {
-      if (exponent[d] == 0) continue;
-      content *= lead[d].pow(exponent[d]);
-      if (exponent[d] > 0)
-        top *= minimal[d].pow(static_cast<unsigned>(exponent[d]));
-      else
-        bottom.emplace_back(minimal[d], static_cast<unsigned>(-exponent[d]));
+    for (const auto& [d, p] : ordered) {
+      if (exponents[d] > 0) top *= p->pow(static_cast<unsigned>(exponents[d]));
+      if (exponents[d] < 0) bottom.emplace_back(*p, static_cast<unsigned>(-exponents[d]));
     }
-    odd[(m - 1) / 2] = RationalFunction::over_factors(integer_polynomial(Rational(content.numerator())) * top,
-                                                      Rational(content.denominator()), std::move(bottom));
+    odd.push_back(RationalFunction::over_factors(top.scaled(Rational(a.content.numerator())),
+                                                 Rational(a.content.denominator()), std::move(bottom)));
   }
   return symmetric_interpolatory(std::move(odd));
 }

@@ -7,6 +7,7 @@
 
 #include "polynomial_coefficients.hpp"
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/integer.hpp"
 
 namespace twoscale {
 
@@ -49,7 +50,7 @@ Factors merge(const Factors& a, const Factors& b, Combine combine) {
 
 // An integer at which no factor of a subdivision symbol is small or zero (their zeros are cosines).
 constexpr long probe_point = 1009;
-constexpr long probe_from_degree = 32;
+constexpr long probe_from_degree = 8;
 
 unsigned larger(unsigned a, unsigned b) { return std::max(a, b); }
 unsigned missing(unsigned a, unsigned b) { return a > b ? a - b : 0; }
@@ -64,22 +65,26 @@ RationalFunction RationalFunction::over_factors(Polynomial numerator, const Rati
   if (content.is_zero()) bad_input("division by zero");
   if (numerator.is_zero()) return r;
   // f | numerator in Z[v] implies f(x) | numerator(x) at an integer x: one evaluation spares nearly all trial divisions
-  // that would fail. For one variable and large degrees only, where it is cheap.
+  // that would fail. For one variable and degrees that are not small only, where it is cheap.
   const bool univariate = numerator.variables().size() == 1 && numerator.total_degree() >= probe_from_degree;
-  const std::string name = univariate ? numerator.variables()[0] : "";
-  const auto probe = [&](const Polynomial& p) { return p.evaluate({{name, Rational(probe_point)}}); };
-  Rational value = univariate ? probe(numerator) : Rational(0);
+  Integer at, value, divisor;
+  fmpz_set_si(at.v, probe_point);
+  const auto probe = [&](const Polynomial& p, Integer& into) {
+    fmpz_poly_evaluate_fmpz(into.v, p.univariate_view(), at.v);
+  };
+  if (univariate) probe(numerator, value);
   for (auto& [f, e] : factors) {
-    const bool probed = univariate && f.variables().size() == 1 && f.variables()[0] == name;
-    const Rational divisor = probed ? probe(f) : Rational(0);
+    const bool probed = univariate && f.variables() == numerator.variables();
+    if (probed) probe(f, divisor);
     while (e > 0) {
-      if (!divisor.is_zero() && !(value / divisor).is_integer()) break;
+      if (probed && !fmpz_is_zero(divisor.v) && fmpz_divisible(value.v, divisor.v) == 0) break;
       auto q = Polynomial::quotient(numerator, f);
       if (!q) break;
       numerator = *std::move(q);
-      if (univariate) value = divisor.is_zero() ? probe(numerator) : value / divisor;
+      if (univariate) probe(numerator, value);
       --e;
     }
+    if (numerator.is_constant()) break;
   }
   std::erase_if(factors, [](const auto& fe) { return fe.second == 0; });
   std::sort(factors.begin(), factors.end(),

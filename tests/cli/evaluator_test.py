@@ -2,6 +2,7 @@
 """`table --evaluator`: programs in C, C++ and Python agree with the exact masks within the error that they state."""
 
 import re
+import subprocess
 import unittest
 from fractions import Fraction
 
@@ -152,6 +153,11 @@ class Options(FilesTest):
         space = {}
         exec(self.twoscale("table", file, "--evaluator", "--format", "python", "--prefix", "e"), space)  # noqa: S102
         self.assertEqual(space["e_mask"](0.25, 0.5), [0.25, 0.5, 0.75, 0.5])
+        file = self.path("p.toml", '[scheme]\nname = "words"\nsymbol = "(1 + z)*(p + (1 - 2*p)*z + p*z^2)"\n'
+                         '[parameters.p]\nscope = "constant"\n')
+        header = self.path("e.hpp", self.twoscale("table", file, "--evaluator", "--format", "cpp", "--prefix", "e"))
+        subprocess.run(["g++", "-std=c++20", "-Wall", "-Wextra", "-Wshadow", "-Werror", "-fsyntax-only", "-x", "c++", "-include",
+                        header, "/dev/null"], check=True)
 
 
 if __name__ == "__main__":

@@ -217,6 +217,23 @@ class Pages(FilesTest):
         self.assertEqual(self.browser.evaluate(f"{handles}.length"), count)
         self.assertEqual(self.browser.complaints(), [])
 
+    def test_edge_parameters(self):
+        self.open("nuli4")
+        start = self.curve()
+        self.set_number("lambda of the marked edge", 0.9)
+        marked = self.curve()
+        self.assertNotEqual(marked, start)
+        # Another edge is marked by a click, and has a value of its own.
+        self.browser.evaluate('document.querySelector(".interactive").scrollIntoView()')
+        box = self.browser.evaluate('document.querySelectorAll(".handle")[3].getBoundingClientRect().toJSON()')
+        self.browser.mouse("mousePressed", box["x"] + 5, box["y"] - 12, clickCount=1)
+        self.browser.mouse("mouseReleased", box["x"] + 5, box["y"] - 12, clickCount=1)
+        value = 'document.querySelector(\'input[type="number"][aria-label^="lambda"]\').value'
+        self.assertEqual(self.browser.evaluate(value), "0.5")
+        self.set_number("lambda of the marked edge", 0.1)
+        self.assertNotEqual(self.curve(), marked)
+        self.assertEqual(self.browser.complaints(), [])
+
     def test_paper(self):
         self.open("beccari2007")
         self.assertEqual(self.browser.complaints(), [])

@@ -64,22 +64,22 @@ class PageScript(FilesTest):
         return json.loads(done.stdout)
 
     def refined(self, scheme, config, refinements, *options, columns=""):
-        """The points as `refine` finds them, 25 digits; `columns`: what follows x,y of each line."""
+        """The points as `refine` finds them; `columns`: what follows x,y of each line."""
         lines = ["x,y" + (columns and "," + columns[0])]
         for j, p in enumerate(config["points"]):
             lines.append(",".join(repr(x) for x in p) + (columns and "," + columns[1][j]))
         self.path("points.csv", "\n".join(lines) + "\n")
-        text = self.twoscale("refine", scheme, "--levels", refinements, "--digits", "25", "--format", "csv", *options,
+        text = self.twoscale("refine", scheme, "--levels", refinements, "--format", "csv", *options,
                              self.path("points.csv"))
         return [[Fraction(row["x"]), Fraction(row["y"])] for row in csv.DictReader(io.StringIO(text))]
 
-    def largest_excess(self, ours, theirs, refinements):
+    def largest_excess(self, ours, theirs, refinements, both=False):
         """The largest distance over what rounding can do: every step adds size + 64 roundings of numbers of the size of
-        the points, and multiplies what is there by the sum of the absolute weights (64: those of a coefficient)."""
+        the points, and multiplies what is there by the sum of the absolute weights (64: those of a coefficient). `both`: theirs are rounded as well."""
         self.assertEqual(len(ours["points"]), len(theirs))
         size = max(abs(x) for p in theirs for x in p)
         weight = max(1.0, ours["weight"])
-        bound = refinements * (ours["size"] + 64) * 2.0**-53 * float(size) * weight**refinements
+        bound = (2 if both else 1) * refinements * (ours["size"] + 64) * 2.0**-53 * float(size) * weight**refinements
         return max(float(abs(Fraction(x) - y)) for p, q in zip(ours["points"], theirs) for x, y in zip(p, q)) / bound
 
     def test_agrees_with_refine(self):
@@ -90,10 +90,23 @@ class PageScript(FilesTest):
                 case = {"levels": levels, "constants": constants, "refinements": 4}
                 wrong = [{**case, "wrong": {"index": i, "by": 1e-9}} for i in range(2)]
                 found = self.node(scripts, [case, *wrong])
-                theirs = self.refined(scheme, found["config"], 4, *options)
+                theirs = self.refined(scheme, found["config"], 4, "--digits", "25", *options)
                 self.assertLess(self.largest_excess(found["results"][0], theirs, 4), 1)
                 for result in found["results"][1:]:
                     self.assertGreater(self.largest_excess(result, theirs, 4), 1, "a wrong coefficient is not seen")
+
+    def test_knots_and_edge_parameters(self):
+        edges = [0.5, 0.25, 0.5, 0.875, 0, 1, 0.625]
+        for scheme in ("nuli4", "nuli6", "lagrange4"):
+            with self.subTest(scheme=scheme):
+                scripts = self.scripts(scheme)
+                case = {"levels": [], "constants": [], "refinements": 3, "edges": edges}
+                found = self.node(scripts, [case, {**case, "wrong": {"index": 1, "by": 1e-9}}])
+                columns = ("lambda", list(map(repr, edges))) if scheme != "lagrange4" else ""
+                theirs = self.refined(scheme, found["config"], 3, columns=columns)
+                self.assertLess(self.largest_excess(found["results"][0], theirs, 3, both=True), 1)
+                self.assertGreater(self.largest_excess(found["results"][1], theirs, 3, both=True), 1,
+                                   "a wrong coefficient is not seen")
 
     def test_singular_values_are_not_finite(self):
         scripts = self.scripts("interpolating:family=harmonic,l=3")

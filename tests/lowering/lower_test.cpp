@@ -78,6 +78,16 @@ INSTANTIATE_TEST_SUITE_P(Lower, Digits,
                                          Start{"exponential-bspline:arity=5,space=\"exp(t*x),exp(-t*x)\"", "2"}),
                          [](const auto& i) { return "case" + std::to_string(i.index); });
 
+// Around whole numbers of limbs, levels at which u is large, small and smaller than a digit.
+TEST(Lower, AnyNumberOfDigits) {
+  for (const char* v0 : {"-2/5", "-99/100", "cosh(2)"})
+    for (const long digits : {18L, 19L, 31L, 38L, 39L, 57L, 58L, 76L, 95L, 96L, 600L, 601L}) {
+      const char* name = "interpolating:family=mixed,l=3";
+      expect_correct(make_scheme(name), {{"v", parse_real(v0).enclose(8 * digits + 1000)}},
+                     table(name, v0, digits < 100 ? 40 : 6, digits), digits);
+    }
+}
+
 TEST(Lower, ManyDigits) {
   const Scheme s = make_scheme("interpolating:family=harmonic,l=3");
   const kernels::MaskTable t = table("interpolating:family=harmonic,l=3", "-2/5", 3, 10000);

@@ -2,7 +2,7 @@
 /// The expressions of the contract: everything it names is read, exactly; errors name the piece; nothing runs away.
 #include "twoscale/symbolic/expression.hpp"
 
-#include <chrono>
+#include <ctime>
 
 #include "support/laws.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -183,7 +183,7 @@ TEST(ExpressionBombs, EndQuickly) {
   for (int i = 0; i < 3000; ++i) division += "/(v*3^300000)";
   for (const auto& text : {product, names, fractions, powers, functions, factors, division}) bombs.push_back(text);
   for (const auto& text : bombs) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();  // CPU time: other processes do not count
     try {
       parse_rational_function(text);
     } catch (const Error&) {
@@ -193,8 +193,7 @@ TEST(ExpressionBombs, EndQuickly) {
       (void)x.sign(4096);
     } catch (const Error&) {
     }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(seconds.count(), 5) << text.substr(0, 60);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 5) << text.substr(0, 60);
   }
 }
 

@@ -2,6 +2,8 @@
 /// The step from sigma to omega and zeta: three routes and the definition must give the same answer.
 #include "twoscale/symbolic/interpolatory.hpp"
 
+#include <map>
+
 #include "support/laws.hpp"
 #include "symbolic/exact_points.hpp"
 #include "twoscale/symbolic/catalog.hpp"
@@ -186,6 +188,29 @@ TEST(InterpolatingSymbol, ClosedFormForTwoNodesKnowsItsSpaces) {
   for (const char* text : {"1,x", "1,x,x^2,x^3", "1,x,exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x)",
                            "1,x,x^2,x^3,exp(t*x),exp(-t*x),x*exp(t*x),x*exp(-t*x)"})
     EXPECT_FALSE(interpolating_symbol_two_nodes(Space::parse(text)).has_value()) << text;
+}
+
+// a_m = 1/2 prod_{i != m} (1 - T_i)/(T_m - T_i) at v = 5/4, T_n = (2^n + 2^-n)/2, where nothing can be multiplied out.
+TEST(Interpolatory, HarmonicCoefficientsAsExponentCounts) {
+  for (const unsigned l : {2U, 3U, 7U, 30U, 64U}) {
+    const auto products = interpolating_coefficients_harmonic(family_space("harmonic", l - 1)).value();
+    ASSERT_EQ(products.size(), l);
+    const auto t = [](long n) { return (Rational(2).pow(n) + Rational(2).pow(-n)) / Rational(2); };
+    std::map<unsigned, Rational> minimal;
+    for (const unsigned m : {1U, 3U, l | 1U, 2 * l - 1}) {
+      if (m >= 2 * l) continue;
+      Rational expected(1, 2);
+      for (unsigned i = 1; i < 2 * l; i += 2)
+        if (i != m) expected *= (Rational(1) - t(i)) / (t(m) - t(i));
+      const CosineProduct& a = products[(m - 1) / 2];
+      Rational value = a.content;
+      for (const auto& [d, exponent] : a.factors) {
+        if (!minimal.contains(d)) minimal[d] = Polynomial::cosine_minimal("v", d).evaluate({{"v", Rational(5, 4)}});
+        value *= minimal[d].pow(exponent);
+      }
+      EXPECT_EQ(value, expected) << l << " " << m;
+    }
+  }
 }
 
 TEST(InterpolatingSymbol, HarmonicEngineKnowsItsSpaces) {

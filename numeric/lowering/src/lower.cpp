@@ -609,8 +609,8 @@ class Lowering {
   }
 
   // Upper bound at the offsets of level k, or over the hull of them and 0; infinite if D may vanish.
-  void tail_at(const TailForms& t, Point& point, unsigned k, bool hull, long bits, arf_t bound) {
-    const std::vector<Ball> exact = values_at(k, bits);
+  void tail_at(const TailForms& t, Point& point, unsigned k, const std::vector<Ball>& exact, bool hull, long bits,
+               arf_t bound) {
     std::vector<Ball> values = exact;
     if (hull)
       for (size_t i = 0; i < values.size(); ++i)
@@ -670,12 +670,13 @@ class Lowering {
     constexpr unsigned patience = 200;
     for (unsigned k = options_.levels + 1;; ++k) {
       long bits = 96;
+      const std::vector<Ball> values = values_at(k, bits);
       for (int attempt = 1;; ++attempt, bits *= 2) {
-        tail_at(t, point, k, false, bits, single);
+        tail_at(t, point, k, attempt == 1 ? values : values_at(k, bits), false, bits, single);
         if (arf_is_finite(single)) break;
         if (attempt >= most_retries) undecided("a bound for the tail", k);
       }
-      tail_at(t, point, k, true, 96, hull);
+      tail_at(t, point, k, values, true, 96, hull);
       arf_mul_ui(slack, single, 21, 53, ARF_RND_UP);
       arf_mul_2exp_si(slack, slack, -4);
       const bool tight = arf_is_finite(hull) && (arf_cmp(hull, slack) <= 0 || arf_cmp(hull, worst) <= 0);

@@ -2,7 +2,7 @@
 #include "rounding.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -18,23 +18,24 @@ constexpr double log2_of_10 = 3.3219280948873624;
 constexpr double log10_of_2 = 0.30102999566398119;
 constexpr mp_limb_t ten_19 = 10000000000000000000UL;
 
+// The eight digits of value < 10^8: two halves of 4 digits, then four of 2, then eight of 1 side by side in one word.
+void write_eight(char* to, unsigned long value) {
+  static_assert(std::endian::native == std::endian::little);
+  const unsigned long high = value / 10000;
+  unsigned long x = high | (value - high * 10000) << 32U;
+  unsigned long tens = (x * 10486) >> 20U & 0x0000007f0000007fUL;  // floor(y/100), y < 10^4
+  x = tens | (x - 100 * tens) << 16U;
+  tens = (x * 103) >> 10U & 0x000f000f000f000fUL;  // floor(y/10), y < 100
+  x = (tens | (x - 10 * tens) << 8U) + 0x3030303030303030UL;
+  std::memcpy(to, &x, 8);
+}
+
 // The last `count` digits of value, leading zeros kept.
 void write_digits(char* to, unsigned long value, int count) {
-  static constexpr auto pairs = [] {
-    std::array<char, 200> t{};
-    for (size_t i = 0; i < 100; ++i) {
-      t[2 * i] = static_cast<char>('0' + i / 10);
-      t[2 * i + 1] = static_cast<char>('0' + i % 10);
-    }
-    return t;
-  }();
-  // Blocks of 8 digits in 32-bit arithmetic.
   while (count >= 8) {
     const unsigned long rest = value / 100000000;
-    auto block = static_cast<unsigned>(value - rest * 100000000);
-    for (int i = 2; i <= 8; i += 2, block /= 100)
-      std::memcpy(to + count - i, &pairs[2 * static_cast<size_t>(block % 100)], 2);
     count -= 8;
+    write_eight(to + count, value - rest * 100000000);
     value = rest;
   }
   for (int i = count; i-- > 0; value /= 10) to[i] = static_cast<char>('0' + value % 10);

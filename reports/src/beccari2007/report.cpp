@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "audit/section.hpp"
 #include "figures/tension.hpp"
 #include "scheme/article.hpp"
 #include "twoscale/kernels/points_io.hpp"
@@ -151,6 +152,7 @@ PaperSummary write_report(const std::string& directory, const PaperOptions& opti
   page.method = figure_method();
   std::vector<Section> sections;
   sections.push_back(scheme_section(options));
+  sections.push_back(audit_section(page.paper));
   sections.push_back(algorithm_section());
   for (const Figure& f : figures()) {
     sections.push_back(figure_section(f, options));

@@ -4,9 +4,10 @@
 
 #include <cmath>
 
+#include "audit/section.hpp"
+#include "interactive.hpp"
 #include "nuli/sections.hpp"
 #include "twoscale/analysis/knots.hpp"
-#include "twoscale/reports/audit.hpp"
 #include "twoscale/reports/html.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 
@@ -39,38 +40,14 @@ Section rule_section() {
   return s;
 }
 
-Section audit_section() {
-  Section s{"audit", "The formulas", "The formulas of the paper, decided one by one", {}};
-  Part& part = s.part;
-  std::string rows;
-  int holding = 0, wrong = 0, open = 0;
-  part.numbers = nlohmann::ordered_json::array();
-  for (const audit::Item& item : audit::items_of("nuli")) {
-    const audit::Result r = audit::audit(item);
-    const std::string verdict = to_string(r.verdict);
-    part.numbers.push_back({{"equation", item.equation}, {"verdict", verdict}});
-    if (r.verdict == audit::Verdict::holds) {
-      ++holding;
-      continue;
-    }
-    if (r.verdict == audit::Verdict::undecided) {
-      ++open;
-      continue;
-    }
-    ++wrong;
-    rows += "<tr><td>" + escaped(item.equation) + "</td><td>" + escaped(item.statement) + "</td><td>" +
-            (r.correction.empty() ? "–" : prose(r.correction)) + "</td></tr>\n";
+Section play_section() {
+  Section s{"play", "Try it", "Drag the points, mark an edge and move its λ", {}};
+  for (const char* name : {"nuli4", "nuli6"}) {
+    const Scheme scheme = make_scheme(name);
+    s.part.html += "<h3>" + escaped(scheme.title) + "</h3>\n" +
+                   interactive_html(s.part, scheme, lowering::bind(scheme, std::nullopt, std::nullopt, {}),
+                                    {name, name, sample_polygon()});
   }
-  part.html = fmt::format(
-      "<p>{} statements hold, {} are wrong as printed, {} cannot be decided (judgements, definitions that are not in "
-      "the "
-      "paper).</p>\n<table><thead><tr><th>place</th><th>as printed</th><th>right is</th></tr></thead><tbody>\n{}"
-      "</tbody></table>\n",
-      holding, wrong, open, rows);
-  part.html += commands_html({"twoscale audit nuli"});
-  part.findings.push_back(fmt::format(
-      "{} of {} statements are wrong as printed; all have a proved correction (<a href=\"#audit\">table</a>).", wrong,
-      holding + wrong + open));
   return s;
 }
 
@@ -134,7 +111,7 @@ PaperSummary write_report(const std::string& directory, const PaperOptions& opti
       "diagonal "
       "of the polygon’s bounding box. <em>Turning</em>: the sum of the absolute turning angles in full turns."};
   if (options.progress) options.progress("formulas of the paper");
-  std::vector<Section> sections{rule_section(), audit_section()};
+  std::vector<Section> sections{rule_section(), play_section(), audit_section(page.paper)};
   sections.push_back(junction_section(options));
   sections.push_back(region_section());
   sections.push_back(precision_section());

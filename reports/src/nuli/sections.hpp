@@ -11,7 +11,6 @@
 namespace twoscale::reports::nuli {
 
 Section rule_section();
-Section audit_section();
 Section junction_section(const PaperOptions& options);
 Section region_section();
 Section precision_section();

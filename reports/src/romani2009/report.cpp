@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "audit/section.hpp"
 #include "sections.hpp"
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/lowering/fit.hpp"
@@ -54,6 +55,7 @@ PaperSummary write_report(const std::string& directory, const PaperOptions& opti
   for (const auto& item : figure_method()) page.method.push_back(item);
   std::vector<Section> sections;
   sections.push_back(scheme_section(options));
+  sections.push_back(audit_section(page.paper));
   sections.push_back(count_section());
   for (const Figure& f : figures()) {
     sections.push_back(figure_section(f, options));

@@ -27,9 +27,9 @@ std::string coarse_point(long offset) {
   return "<msubsup><mi>f</mi><mrow>" + index + "</mrow><mi>k</mi></msubsup>";
 }
 
-std::string rule(const Scheme& s, size_t phase) {
+std::string rule(const Scheme& s, const std::vector<Stencil>& phases, size_t phase) {
   std::string sum;
-  const Stencil& stencil = s.phases[phase];
+  const Stencil& stencil = phases[phase];
   for (size_t i = 0; i < stencil.blocks.size(); ++i) {
     const RationalFunction& c = stencil.blocks[i][0];
     if (c.is_zero()) continue;
@@ -42,9 +42,45 @@ std::string rule(const Scheme& s, size_t phase) {
          "</mrow></math></p>\n";
 }
 
+// Of a scheme on knots: a rule for each piece of its domain.
+Part definition_on_knots(const Subject& s) {
+  Part part;
+  const auto rules = [&](const std::vector<Stencil>& phases) {
+    std::string html;
+    for (size_t r = 0; r < phases.size(); ++r) html += "<div class=\"wide\">" + rule(s.scheme, phases, r) + "</div>\n";
+    return html;
+  };
+  part.html =
+      "<p>Arity 2; the rule of the new vertex in the middle of the edge j depends on what belongs to the edges "
+      "around it.</p>\n";
+  for (const Piece& piece : s.scheme.pieces)
+    part.html += "<details><summary>Where <math><mrow>" + mathml(piece.where.pretty()) +
+                 "<mo>≥</mo><mn>0</mn></mrow></math></summary>\n" + rules(piece.phases) + "</details>\n";
+  part.html += s.scheme.pieces.empty()
+                   ? rules(s.scheme.phases)
+                   : "<details><summary>Elsewhere</summary>\n" + rules(s.scheme.phases) + "</details>\n";
+  part.html += commands_html({"twoscale show " + s.name});
+  part.numbers = {{"arity", s.scheme.arity}, {"p", s.scheme.shift.to_string()}};
+  return part;
+}
+
+// "knot intervals of the edges j−1 to j+1"
+std::string local_text(const Parameter& p) {
+  const auto edge = [](long offset) {
+    return offset == 0 ? std::string("j") : fmt::format("j{}{}", offset < 0 ? "−" : "+", std::abs(offset));
+  };
+  const std::string edges = p.offsets.size() == 1
+                                ? "the edge " + edge(p.offsets[0])
+                                : "the edges " + edge(p.offsets.front()) + " to " + edge(p.offsets.back());
+  return p.rest
+             ? "edge parameter of " + edges + ", " + p.rest->to_string() + " at edges that touch no vertex of the data"
+             : "knot interval of " + edges;
+}
+
 }  // namespace
 
 Part definition(const Subject& s) {
+  if (!is_uniform(s.scheme)) return definition_on_knots(s);
   Part part;
   const Laurent a = symbol(s.scheme);
   part.html = fmt::format(
@@ -52,7 +88,7 @@ Part definition(const Subject& s) {
       "{}.</p>\n",
       s.scheme.arity, a.lowest(), a.highest(), s.scheme.arity, escaped(s.scheme.shift.to_string()),
       is_interpolatory(s.scheme) ? "interpolatory" : "approximating");
-  for (size_t r = 0; r < s.scheme.phases.size(); ++r) part.html += rule(s.scheme, r);
+  for (size_t r = 0; r < s.scheme.phases.size(); ++r) part.html += rule(s.scheme, s.scheme.phases, r);
   std::string plain;
   part.html +=
       "<div class=\"wide\"><table class=\"narrow\"><thead><tr><th>i</th><th>a<sub>i</sub></th></tr></thead><tbody>\n";
@@ -84,11 +120,15 @@ Part parameters(const Subject& s) {
       const bool level = p.scope == Parameter::Scope::level;
       const std::string what =
           level ? (p.frequency ? prose(meaning(p, s.scheme.arity)) + "; " : "") + escaped(recurrence(p, s.scheme.arity))
-                : "constant";
+          : p.scope == Parameter::Scope::local ? local_text(p)
+                                               : "constant";
       const std::string domain = p.domain ? p.domain->to_string() : level ? "v^0 > -1" : "";
       part.html += fmt::format("<tr><td><math>{}</math></td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                                identifier(p.name), what, prose(domain), escaped(p.default_value), escaped(p.help));
-      part.numbers.push_back({{"name", p.name}, {"scope", level ? "level" : "constant"}});
+      part.numbers.push_back({{"name", p.name},
+                              {"scope", level                                ? "level"
+                                        : p.scope == Parameter::Scope::local ? "local"
+                                                                             : "constant"}});
     }
     part.html += "</tbody></table>\n";
   }

@@ -18,9 +18,6 @@ namespace twoscale::reports::scheme_page {
 
 namespace {
 
-// A closed polygon with short and long edges, a reflex vertex and an acute one.
-const std::vector<double> polygon = {0, 0, 2, 0.2, 3.2, 1.4, 2.4, 2.8, 1.6, 1.7, 0.6, 3.0, -0.6, 1.6};
-
 // As many levels as give a smooth picture.
 int levels_for(int arity, double points) {
   int k = 1;
@@ -30,7 +27,7 @@ int levels_for(int arity, double points) {
 
 Line polygon_line() {
   Line l;
-  l.values = polygon;
+  l.values = sample_polygon();
   l.style = Line::Style::polygon;
   l.closed = true;
   l.title = "polygon";
@@ -40,7 +37,8 @@ Line polygon_line() {
 Line curve_line(const Subject& s, const lowering::Binding& binding, const std::string& title, int colour) {
   Line l;
   l.values =
-      refine_points(s.scheme, binding, polygon, 2, levels_for(s.scheme.arity, 48), kernels::Boundary::closed).values;
+      refine_points(s.scheme, binding, sample_polygon(), 2, levels_for(s.scheme.arity, 48), kernels::Boundary::closed)
+          .values;
   l.closed = true;
   l.title = title;
   l.colour = colour;
@@ -118,7 +116,8 @@ Picture graph(std::vector<Line> lines) {
 
 Part play(const Subject& s) {
   Part part;
-  if (can_be_interactive(s.scheme)) part.html = interactive_html(part, s.scheme, s.binding, {"curve", s.name, polygon});
+  if (can_be_interactive(s.scheme))
+    part.html = interactive_html(part, s.scheme, s.binding, {"curve", s.name, sample_polygon()});
   return part;
 }
 
@@ -156,7 +155,7 @@ Part pictures(const Subject& s) {
   kernels::PointSet points;
   points.columns = kernels::default_columns(2);
   points.dim = 2;
-  points.values = polygon;
+  points.values = sample_polygon();
   part.files.emplace_back("data/polygon.csv", kernels::to_csv(points));
   Picture curve;
   curve.lines = {polygon_line(), curve_line(s, s.binding, "limit curve", 0)};

@@ -51,7 +51,7 @@ std::string command_values(const lowering::Binding& b, const Scheme& scheme) {
 }  // namespace
 
 Subject scheme_page::subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
-  symbol(scheme);  // refuses what has none
+  if (scheme.kernel.empty()) symbol(scheme);  // refuses what has none
   lowering::Binding binding = binding_of(scheme, o);
   std::vector<std::pair<std::string, RationalFunction>> values;
   bool all = true;
@@ -85,13 +85,15 @@ SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string&
   add("derivation", "Derivation", scheme_page::derivation(s));
   tell("claims");
   add("claims", "What is proved", scheme_page::claims(s, summary));
-  tell("smoothness");
-  add("smoothness", "Smoothness", scheme_page::smoothness(s));
-  tell("spectrum");
-  add("spectrum", "Spectrum", scheme_page::spectrum(s), "Spectrum of the local matrix");
-  add("masks", "Masks", scheme_page::masks(s));
-  tell("pictures");
-  add("pictures", "Pictures", scheme_page::pictures(s));
+  if (is_uniform(scheme)) {
+    tell("smoothness");
+    add("smoothness", "Smoothness", scheme_page::smoothness(s));
+    tell("spectrum");
+    add("spectrum", "Spectrum", scheme_page::spectrum(s), "Spectrum of the local matrix");
+    add("masks", "Masks", scheme_page::masks(s));
+    tell("pictures");
+    add("pictures", "Pictures", scheme_page::pictures(s));
+  }
 
   page.title = scheme.title;
   page.lead = "<p><code>" + escaped(scheme.id) + "</code>" +

@@ -35,6 +35,14 @@ Laurent interpolating_symbol_by_divided_differences(const Space& space);
 // x_m = T_m(v), m = 1, 3, .., 2l-1, say that 2 a_m are the Lagrange polynomials of the x_m at 1:
 //   a_m = 1/2 prod_{i != m} (1 - T_i(v))/(T_m(v) - T_i(v)).   nullopt for any other space.
 std::optional<Laurent> interpolating_symbol_harmonic(const Space& space);
+// The same a_1, a_3, .., a_{2l-1} with nothing multiplied out. Every factor is one of minimal polynomials, so a_m is an
+// exponent count: O(l) integers for each m, no polynomial arithmetic.
+struct CosineProduct {
+  Rational content;
+  // d -> exponent, not 0, d ascending: content prod Psi_d(v)^exponent, Psi_d = Polynomial::cosine_minimal(v, d).
+  std::vector<std::pair<unsigned, long>> factors;
+};
+std::optional<std::vector<CosineProduct>> interpolating_coefficients_harmonic(const Space& space);
 // Two different nodes, p n = l-1 times and q once: families (3) (p = 1, q = v) and (13) (p = v, q = 1), {1, x,
 // exp(+-tx)}, ...
 //   z^{-(2l-1)} zeta = 1 + F(w/p) + kappa w (w^2 - p^2)^n,   kappa = (1 - F(q/p))/(q (q^2 - p^2)^n),
