@@ -250,10 +250,9 @@ class Run:
     def row(self, job, at, mine, peer, theirs):
         ratio = theirs / mine if theirs is not None else None
         self.rows.append({"job": job, "at": at, "ours": mine, "peer": peer, "theirs": theirs, "ratio": ratio})
+        # A limit is wall clock, so it gives no ratio.
         shown = seconds(theirs) if theirs is not None else f"> {self.limit} s" if peer else ""
         factor = f"{ratio:,.0f}" if ratio is not None and ratio >= 10 else f"{ratio:.1f}" if ratio is not None else ""
-        if ratio is None and peer:
-            factor = f"> {self.limit / mine:,.0f}"
         print(f"{job:<32} {at:>16} {seconds(mine):>9}  {peer:<22} {shown:>9} {factor:>10}", flush=True)
 
     def derive(self):

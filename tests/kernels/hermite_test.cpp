@@ -309,6 +309,86 @@ TEST(Hermite, RandomData) {
   EXPECT_GT(refused, 100);
 }
 
+/// Derivatives found from points that are on no circle: those of the circle through three neighbours, so that points
+/// near a circle give a curve near it, with any spacing.
+TEST(Hermite, PointsNearACircleGiveACurveNearIt) {
+  for (const bool closed : {true, false})
+    for (const double error : {1e-3, 1e-6, 1e-9}) {
+      auto f = on_circle({0.3, 0.5, 2.0, 3.9, 5.1});
+      f[4] += 3 * error;
+      const auto out = refined(points(2, f, closed), 6);
+      EXPECT_LT(radial_error(out.f), 60 * error) << closed;
+      EXPECT_GT(radial_error(out.f), error / 10) << closed;
+    }
+  // A vertex whose neighbours are one point is a cusp.
+  const HermiteCurve<double> cusp(points(2, {0, 0, 1, 0.2, 3, 0, 1, 0.2, 0.5, 2}), 1, Tension::printed);
+  EXPECT_EQ(cusp.data().p[4], 0);
+  EXPECT_EQ(cusp.data().r[5], 0);
+  EXPECT_NE(cusp.data().p[0], 0);
+}
+
+/// A number that knows its rounding errors no better than 1e-12: what it cannot decide is said.
+struct Coarse {
+  double x = 0;
+  Coarse() = default;
+  explicit Coarse(int n) : x(n) {}
+  explicit Coarse(double y) : x(y) {}
+  friend Coarse operator+(Coarse a, Coarse b) { return Coarse(a.x + b.x); }
+  friend Coarse operator-(Coarse a, Coarse b) { return Coarse(a.x - b.x); }
+  friend Coarse operator*(Coarse a, Coarse b) { return Coarse(a.x * b.x); }
+  friend Coarse operator/(Coarse a, Coarse b) { return Coarse(a.x / b.x); }
+  friend Coarse operator-(Coarse a) { return Coarse(-a.x); }
+  friend Coarse sqrt(Coarse a) { return Coarse(std::sqrt(a.x)); }
+  friend Coarse sin(Coarse a) { return Coarse(std::sin(a.x)); }
+  friend Coarse tan(Coarse a) { return Coarse(std::tan(a.x)); }
+  friend Coarse atan2(Coarse y, Coarse x) { return Coarse(std::atan2(y.x, x.x)); }
+  friend double estimate(Coarse a) { return a.x; }
+  friend bool negligible(Coarse a, Coarse b) { return negligible(a.x, b.x); }
+  friend Coarse widened(Coarse a, Coarse) { return a; }
+  friend bool is_less(Coarse a, Coarse b, const char* what) {
+    if (std::abs(a.x - b.x) <= 1e-12 * (std::abs(a.x) + std::abs(b.x))) throw HermiteUndecided(what);
+    return a.x < b.x;
+  }
+};
+
+HermiteData<Coarse> coarse(const HermiteData<double>& d) {
+  HermiteData<Coarse> c;
+  c.dim = d.dim;
+  c.closed = d.closed;
+  const auto copy = [](const std::vector<double>& from, std::vector<Coarse>& to) {
+    for (const double x : from) to.emplace_back(x);
+  };
+  copy(d.f, c.f);
+  copy(d.p, c.p);
+  copy(d.r, c.r);
+  copy(d.sigma, c.sigma);
+  return c;
+}
+
+TEST(Hermite, CasesThatANumberTypeCannotDecideAreSaid) {
+  const auto said = [](const HermiteData<double>& d, double w) -> std::string {
+    try {
+      HermiteCurve<Coarse>(coarse(d), Coarse(w), Tension::printed);
+    } catch (const HermiteUndecided& e) {
+      return e.what();
+    }
+    return "";
+  };
+  // Equal numbers where the rules have a margin are no tie.
+  const auto plain = points(2, {0, 0, 4, -1, 5, 2, 2, 5, -1, 3});
+  EXPECT_EQ(said(plain, 1), "");
+  EXPECT_EQ(said(points(3, {0, 0, 1, 4, 0, 1, 4, 3, 1, 0, 3, 1}), 1), "");
+  EXPECT_EQ(said(points(2, on_circle({0, pi / 2, pi, 3 * pi / 2})), 1), "");
+  EXPECT_EQ(said(points(3, {3, 0, 0.5, 1, 2.5, -0.25, -2, 1, 1, -2.5, -1.5, 0, 0.5, -2, 0.75}), 1), "");
+  // A tie, and beside it.
+  const double pole = HermiteCurve<double>(plain, 1, Tension::printed).first_pole();
+  EXPECT_EQ(said(plain, pole), "w is below the first pole");
+  EXPECT_EQ(said(plain, pole * (1 - 1e-9)), "");
+  EXPECT_THROW(said(plain, pole * (1 + 1e-9)), Error);
+  // A vertex that is as far from the line of the others as counts as being on it.
+  EXPECT_EQ(said(points(2, {0, 0, 1, 0, 0.5, 1e-12}), 1), "all points lie on a line");
+}
+
 TEST(Hermite, UnusableDataAreRefused) {
   const auto refused = [](HermiteData<double> d) {
     EXPECT_THROW(HermiteCurve<double>(std::move(d), 1, Tension::printed), Error);

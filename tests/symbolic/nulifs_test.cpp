@@ -57,15 +57,15 @@ LAW(Nulifs, InterpolateReproduceAndHaveTheSupportOfThePaper, ()) {
 }
 
 /// The splines by their coefficients are the splines by their definition.
-RC_GTEST_PROP(Nulifs, CoefficientsInBsplines, ()) {
+LAW(Nulifs, CoefficientsInBsplines, ()) {
   const RandomKnots k = random_knots(false);
   const Knots<Rational> t(-16, k.d, k.lambda);
   FundamentalFamily family;
-  family.order = *rc::uniform(3U, 7U);
-  family.reproduction = *rc::uniform(1U, family.order + 1);
-  family.mu = *rc::uniform(1U, family.order + family.reproduction - 2);
+  family.order = uniform(3U, 7U);
+  family.reproduction = uniform(1U, family.order + 1);
+  family.mu = uniform(1U, family.order + family.reproduction - 2);
   const auto n = static_cast<long>(family.order);
-  const long piece = *rc::uniform(-4L, 4L);
+  const long piece = uniform(-4L, 4L);
   const Rational x = (t(piece) * Rational(2) + t(piece + 1)) * Rational(1, 3);
   const std::vector<Rational> values = bspline_values(t, family.order, x, piece);
   const SplineCoefficients<Rational> c = spline_coefficients(t, family, 0);
@@ -75,7 +75,7 @@ RC_GTEST_PROP(Nulifs, CoefficientsInBsplines, ()) {
     if (at >= 0 && at < static_cast<long>(c.values.size()))
       sum += c.values[static_cast<size_t>(at)] * values[static_cast<size_t>(r)];
   }
-  RC_ASSERT(sum == fundamental_values(t, family, x, piece)[16]);
+  LAW_ASSERT(sum == fundamental_values(t, family, x, piece)[16]);
 }
 
 TEST(Nulifs, SymmetricMembers) {

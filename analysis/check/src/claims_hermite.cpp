@@ -4,6 +4,7 @@
 #include "twoscale/check/claims.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace twoscale::check {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 constexpr std::size_t most_derivatives = 4;
 constexpr long most_degree = 64;
 constexpr std::uint64_t most_points = 200'000;
+constexpr int no_limit = std::numeric_limits<int>::max();  // of the exponents that are kept
 
 enum RuleVariable : std::size_t { s_0, s_1, w, z };
 enum RateVariable : std::size_t { d, s, tension };
@@ -38,6 +40,7 @@ Polynomial sum(const Polynomial& a, const Polynomial& b, const Integer& factor, 
 /// a*b without the terms whose exponent of the first variable is `below` or more.
 Polynomial product(const Polynomial& a, const Polynomial& b, Meter& meter, int below) {
   Polynomial result;
+  meter.spend(a.size() * b.size());
   for (const auto& [m, c] : a) {
     for (const auto& [n, e] : b) {
       if (m[0] + n[0] >= below) continue;
@@ -49,7 +52,7 @@ Polynomial product(const Polynomial& a, const Polynomial& b, Meter& meter, int b
   return result;
 }
 
-Polynomial power(const Polynomial& a, int exponent, Meter& meter, int below = limits::degree) {
+Polynomial power(const Polynomial& a, int exponent, Meter& meter, int below = no_limit) {
   Polynomial result = constant(1);
   for (int i = 0; i < exponent; ++i) result = product(result, a, meter, below);
   return result;
@@ -178,7 +181,7 @@ long top_degree(const Ratio& r, std::size_t v) { return top_degree({&r.numerator
 // ---- Compositions
 
 /// p with ratios in place of its variables, without cancelling; terms with d^below are left out.
-Ratio composed(const Ratio& f, const std::array<const Ratio*, 4>& by, Meter& meter, int below = limits::degree) {
+Ratio composed(const Ratio& f, const std::array<const Ratio*, 4>& by, Meter& meter, int below = no_limit) {
   Monomial top = degrees(f.numerator);
   const Monomial other = degrees(f.denominator);
   for (std::size_t i = 0; i < 4; ++i) top[i] = std::max(top[i], other[i]);
@@ -198,7 +201,7 @@ Ratio composed(const Ratio& f, const std::array<const Ratio*, 4>& by, Meter& met
   return {one(f.numerator), one(f.denominator)};
 }
 
-Ratio difference(const Ratio& a, const Ratio& b, Meter& meter, int below = limits::degree) {
+Ratio difference(const Ratio& a, const Ratio& b, Meter& meter, int below = no_limit) {
   return {sum(product(a.numerator, b.denominator, meter, below), product(b.numerator, a.denominator, meter, below), -1,
               meter),
           product(a.denominator, b.denominator, meter, below)};
@@ -208,7 +211,7 @@ Ratio ratio(Polynomial p) { return {std::move(p), constant(1)}; }
 
 /// The smallest exponent of d; p is not 0.
 int lowest_in_d(const Polynomial& p) {
-  int least = limits::degree;
+  int least = no_limit;
   for (const auto& [m, c] : p) least = std::min(least, m[d]);
   return least;
 }
@@ -440,7 +443,7 @@ Finding check_halves(const HermiteContext& context, Fields& fields, bool proved)
       throw Malformed(fields.path("left_rate") + ": s and w are expected");
     }
   }
-  const int below = fit == "yes" ? static_cast<int>(limits::degree) : 3;
+  const int below = fit == "yes" ? no_limit : 3;
   // s_0 = s, the middle m = s + d, and s_1 by (s_0 + s_1)(1 - m^2) = 2 m (1 - s_0 s_1).
   const Polynomial start = variable(s), m = sum(variable(s), variable(d), 1, meter);
   const Polynomial rest = sum(constant(1), product(m, m, meter), -1, meter);  // 1 - m^2

@@ -18,8 +18,8 @@
 //   tension     printed: u is replaced by v + w (u - v) (§4); the first pole of the data is at w* = min (1-v)/(u-v).
 //               c2: the rule of w = 1 between diag(1, 1/w, 1/w^2) and diag(1, w, w^2).
 //
-// Number types. T needs + - * / and unary -, a constructor from int, and by argument-dependent lookup sqrt(x), sin(x),
-// tan(x), atan2(y, x), and
+// Number types. T needs + - * / and unary -, constructors from int and from nothing, and by argument-dependent lookup
+// sqrt(x), sin(x), tan(x), atan2(y, x), and
 //   is_less(a, b, what)   whether a < b: every case of the rules below is decided by it. A type that encloses its value
 //                         throws HermiteUndecided(what) where it cannot tell (with more precision it can, but for a
 //                         tie);
