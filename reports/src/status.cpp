@@ -2,7 +2,6 @@
 #include "twoscale/reports/status.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "twoscale/analysis/prove.hpp"
 #include "twoscale/analysis/regularity.hpp"
@@ -19,15 +18,19 @@ using analysis::Verdict;
 
 struct Property {
   std::string title;
-  std::string claim;  // what prove() calls it
-  bool needs_symbol;  // it is a question about masks
+  std::vector<std::string> claims;  // what prove() calls it
+  bool needs_symbol;                // it is a question about masks
 };
 
 const std::vector<Property>& properties() {
-  static const std::vector<Property> list = {
-      {"interpolatory", "interpolatory", false}, {"symmetric", "symmetric", true},    {"sum rules", "sum-rules", true},
-      {"generates", "generates", true},          {"reproduces", "reproduces", false}, {"maximal", "maximal", true},
-      {"well-defined", "well-defined", true},    {"smoothness", "continuity", false}};
+  static const std::vector<Property> list = {{"interpolatory", {"interpolatory"}, false},
+                                             {"symmetric", {"symmetric"}, true},
+                                             {"sum rules", {"sum-rules"}, true},
+                                             {"generates", {"generates"}, true},
+                                             {"reproduces", {"reproduces", "circle"}, false},
+                                             {"maximal", {"maximal"}, true},
+                                             {"well-defined", {"well-defined"}, true},
+                                             {"smoothness", {"continuity"}, false}};
   return list;
 }
 
@@ -40,8 +43,8 @@ bool claimed(const std::vector<Claim>& claims, const std::string& name) {
 // The claims of the source, and the same questions where it is silent. Smoothness of schemes with a symbol is found,
 // not asked.
 std::vector<Claim> questions(const Scheme& scheme) {
+  if (!has_symbol(scheme)) return analysis::default_claims(scheme);
   std::vector<Claim> claims = scheme.claims;
-  if (!has_symbol(scheme)) return claims;
   Scheme silent = scheme;
   silent.claims.clear();
   for (const Claim& c : analysis::default_claims(silent))
@@ -64,13 +67,13 @@ Kind kind_of(Verdict v) {
   return v == Verdict::proved ? Kind::proved : v == Verdict::refuted ? Kind::refuted : Kind::undecided;
 }
 
-// Several claims of one name: a refuted one counts, then an undecided one.
-StatusCell combined(const std::vector<Decision>& decisions, const std::string& claim) {
+// Several claims: a refuted one counts, then an undecided one.
+StatusCell combined(const std::vector<Decision>& decisions, const std::vector<std::string>& claims) {
   StatusCell cell{Kind::undecided, "nothing is claimed, and the prover does not ask"};
   const auto rank = [](Kind k) { return k == Kind::refuted ? 2 : k == Kind::undecided ? 1 : 0; };
   bool first = true;
   for (const Decision& d : decisions) {
-    if (d.claim != claim) continue;
+    if (std::find(claims.begin(), claims.end(), d.claim) == claims.end()) continue;
     const Kind k = kind_of(d.verdict);
     if (first || rank(k) > rank(cell.kind)) cell = {k, detail(d)};
     first = false;
@@ -126,12 +129,12 @@ StatusRow status_of(const std::string& name) {
   for (const Property& p : properties()) {
     if (p.needs_symbol && !has_symbol(scheme))
       row.cells.push_back({});
-    else if (p.claim == "continuity" && has_symbol(scheme))
+    else if (p.claims[0] == "continuity" && has_symbol(scheme))
       row.cells.push_back(smoothness(scheme));
     else if (!refusal.empty())
       row.cells.push_back({Kind::undecided, refusal});
     else
-      row.cells.push_back(combined(decisions, p.claim));
+      row.cells.push_back(combined(decisions, p.claims));
   }
   return row;
 }

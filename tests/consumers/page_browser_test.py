@@ -237,6 +237,11 @@ class Pages(FilesTest):
     def test_paper(self):
         self.open("beccari2007")
         self.assertEqual(self.browser.complaints(), [])
+        self.assertEqual(self.browser.evaluate("""(() => {
+            const ids = [...document.querySelectorAll("[id]")].map((e) => e.id);
+            return ids.filter((id, i) => ids.indexOf(id) !== i);
+        })()"""), [])
+        self.assertEqual(self.browser.evaluate('document.querySelectorAll("article > .interactive .limit").length'), 1)
         self.check_formulas()
         self.check_images()
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
@@ -50,6 +51,38 @@ TEST(Mathml, ReadsEveryMaskOfTheCatalogue) {
       if (!s.space) continue;
       for (const auto& item : s.space->items()) EXPECT_NO_THROW(mathml(item)) << item;
     }
+}
+
+// A derivation on a page has its steps and its values; another space has other values.
+TEST(DerivationHtml, HasTheStepsInOrder) {
+  const Derivation d = derive(make_scheme("tension4"));
+  const std::string html = to_html(d);
+  std::size_t at = 0;
+  for (const char* step : {"The space", "σ, the approximating scheme", "The linear system H w", "<h3>ω</h3>",
+                           "ζ = σω, the 4-point", "Where a step fails"}) {
+    const std::size_t found = html.find(step, at);
+    ASSERT_NE(found, std::string::npos) << step;
+    at = found;
+  }
+  EXPECT_NE(html.find(mathml(d.interpolating->zeta.coefficient(3).to_string())), std::string::npos);
+  EXPECT_NE(html.find("zeta_-3 = zeta_3 = -1/(8*v*(v + 1))"), std::string::npos);
+  EXPECT_NE(html, to_html(derive(make_scheme("interpolating:family=mixed,l=3"))));
+}
+
+TEST(DerivationHtml, IsWellFormedForTheCatalogue) {
+  const auto count = [](const std::string& html, const std::string& piece) {
+    int n = 0;
+    for (std::size_t at = html.find(piece); at != std::string::npos; at = html.find(piece, at + 1)) ++n;
+    return n;
+  };
+  for (const CatalogEntry& entry : catalog()) {
+    const Scheme s = make_scheme(entry.examples[0]);
+    if (!s.space || s.block > 1 || !is_uniform(s)) continue;
+    const std::string html = to_html(derive(s));
+    for (const std::string tag : {"math", "mtable", "mtr", "mtd", "mrow", "li", "ol", "details", "pre", "p", "div"})
+      EXPECT_EQ(count(html, "<" + tag + ">") + count(html, "<" + tag + " "), count(html, "</" + tag + ">"))
+          << s.id << " " << tag;
+  }
 }
 
 }  // namespace

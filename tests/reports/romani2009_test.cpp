@@ -165,6 +165,15 @@ TEST_F(Report, IsWellFormed) {
         << text.substr(at, 40);
 }
 
+TEST_F(Report, EveryNameIsUsedOnce) {
+  static const std::regex id("[^a-z]id=\"([^\"]*)\"");
+  const std::string text = without_scripts(page());
+  std::set<std::string> seen;
+  for (std::sregex_iterator i(text.begin(), text.end(), id), end; i != end; ++i)
+    EXPECT_TRUE(seen.insert((*i)[1]).second) << (*i)[1];
+  EXPECT_GT(seen.size(), 60U);
+}
+
 TEST_F(Report, ContainsEveryFigureOnce) {
   const auto count = [](const std::string& piece) {
     int n = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: its sections in their order.
+#include "audit/section.hpp"
 #include "hermite2010/sections.hpp"
 
 namespace twoscale::reports::hermite2010 {
@@ -17,7 +18,8 @@ PaperSummary write_report(const std::string& directory, const PaperOptions& opti
       "<em>Distance to polygon</em>: the largest distance of a refined point to the nearest edge, over the diagonal of "
       "the polygon’s bounding box. <em>Curvature</em>: of the circle through three neighbouring points."};
   if (options.progress) options.progress("proofs");
-  std::vector<Section> sections{interpolant_section(), rules_section(), verdict_section(options), question_section()};
+  std::vector<Section> sections{interpolant_section(), rules_section(), verdict_section(options), question_section(),
+                                audit_section(page.paper)};
   for (Section& s : figure_sections(options)) sections.push_back(std::move(s));
   return write_paper_page(directory, page, std::move(sections));
 }

@@ -60,7 +60,7 @@ std::string scheme_article(Part& part, const Article& a, const PaperOptions& opt
           part,
           {"basic-" + a.id, "Basic limit functions", "", {"twoscale plot basic " + name + v0 + " -o basic.svg"}, false},
           basic_picture(scheme, a.basic_v0)) +
-      "</div>\n" + interactive_html(part, scheme, subject.binding, {a.id, name, sample_polygon()}) +
+      "</div>\n" + interactive_html(part, scheme, subject.binding, {a.id + "_curve", name, sample_polygon()}) +
       "<details><summary>Derivation, step by step</summary>\n" + part.absorb(scheme_page::derivation(subject)) +
       "</details>\n<h4>What is proved</h4>\n" + part.absorb(std::move(claims)) + "<h4>Smoothness</h4>\n" +
       part.absorb(std::move(smoothness));

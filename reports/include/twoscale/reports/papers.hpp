@@ -20,7 +20,7 @@ struct PaperFigure {
   std::string id;       // "5a"
   std::string title;    // plain text
   std::string file;     // figures/5a.svg, below the directory of the page
-  std::string command;  // for a shell in that directory: draws it; empty: the command of the page does
+  std::string command;  // for a shell in that directory: draws or computes it; empty: the command of the page does
   bool numbered = true;  // the id is a number that readers see
 };
 
