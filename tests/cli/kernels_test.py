@@ -4,6 +4,7 @@
 import os
 import subprocess
 import unittest
+from fractions import Fraction
 
 import numpy
 
@@ -71,6 +72,18 @@ class Limits(Kernels):
             self.assertAlmostEqual(got, want, places=14)
         # An interpolating rule keeps its points.
         self.assertEqual(self.refine("--levels", "4", "--limit").tolist(), self.refine("--levels", "4").tolist())
+
+    def test_the_stencils_are_those_of_spectrum(self):
+        # `spectrum` has them exactly, from the eigenvectors of the local matrix.
+        impulse = "x\n" + "".join("1\n" if i == 6 else "0\n" for i in range(13))
+        for scheme in ("bspline:n=3", "bspline:n=5", "dd:l=2", "dd:l=3", "bspline:n=3,arity=3"):
+            rows = self.refine("--levels", "0", "--limit", "--with", "derivative", points=impulse, scheme=scheme)
+            for stencil in self.twoscale_json("spectrum", scheme)["limit_stencils"][:2]:
+                exact = numpy.zeros(13)
+                for u, weight in enumerate(stencil["coefficients"], stencil["lowest"]):
+                    exact[6 - u] = float(Fraction(weight))
+                got = rows[:, stencil["derivative"]]
+                self.assertLess(numpy.abs(got - exact).max(), 1e-15, scheme)
 
     def test_the_curvature_of_a_circle(self):
         circle = "".join(f"{5 * numpy.cos(numpy.pi * j / 4)!r},{5 * numpy.sin(numpy.pi * j / 4)!r}\n" for j in range(8))

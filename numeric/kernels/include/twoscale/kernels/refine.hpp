@@ -520,7 +520,7 @@ class Tile {
     for (std::size_t k = cut_at_; k < levels; ++k) done_[k] = segment_windows_[k].first;
     done_[cut_at_] = w.last + 1;
     const Step<T>& last_step = step(job, levels - 1);
-    const long chunk = side_chunk(job, wide);
+    const long chunk = side_chunk(job);
     const Window& target = segment_windows_[levels];
     const long before = segment_windows_[levels - 1].first;
     for (long i = target.first; i <= target.last; i += chunk) {
@@ -542,8 +542,8 @@ class Tile {
     return (segment_windows_[segment_windows_.size() - 2].computed() * width + 7) / 8 * 8;
   }
 
-  static long side_chunk(const Job<T>& job, std::size_t wide) {
-    return std::max(64L, static_cast<long>(job.chunk_values / wide) / 64 * 64);
+  static long side_chunk(const Job<T>& job) {
+    return std::max(64L, static_cast<long>(std::min<std::size_t>(job.chunk_values / 4, 1 << 20)) / 64 * 64);
   }
 
   T* side_row(std::size_t k, long j, std::size_t wide) {
@@ -651,7 +651,7 @@ extern template class Tile<float>;
 // How the output is cut; for tests and measurements too. The bits do not depend on it.
 struct Cutting {
   std::size_t tile_values = 65536;   // numbers of the last level in a tile
-  std::size_t chunk_values = 2048;   // numbers of a level that are computed before the next one goes on
+  std::size_t chunk_values = 2048;   // of rows on their way past the caches; a quarter as many rows of segments
   std::size_t together = 10;         // levels of several segments side by side
   std::size_t columns = 64;          // at most that wide
   std::size_t grain_rows = 100'000;  // rows for a thread, at least
