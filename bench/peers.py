@@ -192,17 +192,25 @@ def scipy_refine(points, masks):
     return points
 
 
-def numpy_refine(points, masks):
-    for mask in masks:
+def numpy_buffers(points, levels, masks):
+    """For every level: the polygon with its ends wrapped, the next level, room for one product."""
+    pad = len(masks[0][::2]) // 2
+    shape = points.shape[1:]
+    return [(numpy.empty(((len(points) << k) + 2 * pad,) + shape), numpy.empty((2 * len(points) << k,) + shape),
+             numpy.empty((len(points) << k,) + shape)) for k in range(levels)]
+
+
+def numpy_refine(points, masks, buffers=None):
+    for mask, (wrapped, fine, product) in zip(masks, buffers or numpy_buffers(points, len(masks), masks)):
         odd = mask[::2]  # an interpolating mask has one even coefficient, 1
         pad = len(odd) // 2
-        wrapped = numpy.concatenate([points[-pad:], points, points[:pad]])
-        fine = numpy.empty((2 * len(points),) + points.shape[1:])
+        wrapped[:pad], wrapped[pad:-pad], wrapped[-pad:] = points[-pad:], points, points[:pad]
         fine[0::2] = points
         new = fine[1::2]
-        new[:] = 0
-        for i, a in enumerate(odd):
-            new += a * wrapped[1 + i:1 + i + len(points)]
+        numpy.multiply(wrapped[1:1 + len(points)], odd[0], out=new)
+        for i, a in enumerate(odd[1:], 1):
+            numpy.multiply(wrapped[1 + i:1 + i + len(points)], a, out=product)
+            new += product
         points = fine
     return points
 
@@ -233,7 +241,8 @@ class Run:
                 if b.get("aggregate_name", "median") == "median":
                     scale = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[b["time_unit"]]
                     self.ours[b["run_name"]] = {"seconds": b["cpu_time"] * scale, "label": b.get("label", ""),
-                                                "radius": b.get("radius")}
+                                                "radius": b.get("radius"), "of_write": b.get("of_write"),
+                                                "of_bound": b.get("of_bound")}
         self.rows = []
 
     def json(self, *arguments):
@@ -336,16 +345,30 @@ class Run:
         document = self.json("table", "interpolating:family=harmonic,l=3", "--v0", "1/2", "--levels", str(levels),
                              "--double")
         masks = [numpy.array([float(a) for a in row["coefficients"]]) for row in document["levels"]]
-        for dim in (1, 2, 3):
+        job, kept = "refine 10^4 points, 8 levels", "kept buffers"
+        for dim in (1, 2, 3, 4):
             points = numpy.sin(numpy.arange(10000 * dim, dtype=float)).reshape(10000, dim)
-            assert numpy.allclose(scipy_refine(points, masks), numpy_refine(points, masks), atol=1e-12)
-            for peer, job in (("scipy upfirdn", scipy_refine), ("numpy slices", numpy_refine)):
-                theirs = measure(lambda: job(points, masks), at_least=1, most=5)
-                self.compare("refine 10^4 points, 8 levels", f"D={dim}", f"refine/harmonic/D:{dim}", peer, theirs)
-            bound = self.ours.get(f"write/D:{dim}")
-            if bound:
-                self.compare("refine 10^4 points, 8 levels", f"D={dim}", f"refine/harmonic/D:{dim}",
-                             "writing the output only", bound["seconds"])
+            buffers = numpy_buffers(points, levels, masks)
+            expected = scipy_refine(points, masks)
+            assert numpy.allclose(expected, numpy_refine(points, masks), atol=1e-12)
+            assert numpy.allclose(expected, numpy_refine(points, masks, buffers), atol=1e-12)
+            for peer, run in (("scipy upfirdn", lambda: scipy_refine(points, masks)),
+                              ("numpy slices", lambda: numpy_refine(points, masks, buffers))):
+                self.compare(job, f"D={dim}", f"ours/D:{dim}", peer, measure(run, at_least=1, most=5))
+            for peer in ("eigen_sparse", "opensubdiv"):
+                other = self.ours.get(f"{peer}/D:{dim}")
+                if other:
+                    name = {"eigen_sparse": "Eigen sparse", "opensubdiv": "OpenSubdiv, float"}[peer]
+                    self.compare(job, f"D={dim}", f"ours/D:{dim}", name, other["seconds"])
+            self.compare("the same, all allocating", f"D={dim}", f"ours_allocating/D:{dim}", "numpy slices",
+                         measure(lambda: numpy_refine(points, masks), at_least=1, most=5))
+        print(f"\n{'part of the rate of writing, or of the bound':<48} {'threads':>8} {'':>6}")
+        for name, value in self.ours.items():
+            ratio = value["of_write"] or value["of_bound"]
+            if ratio:
+                threads = re.search(r"threads:(\d+)", name)
+                shown = re.sub(r"/threads:\d+|/manual_time", "", name)
+                print(f"{shown:<48} {threads[1] if threads else '1':>8} {100 * ratio:5.0f}%")
 
     def exponents(self):
         """A table of its own: the routes to an exponent, their certificates checked, the plain polytope beside ours."""

@@ -47,13 +47,15 @@ int run_on_knots(const Options& o, const Common& common, const Scheme& s, kernel
   if (!o.open.empty()) knots.boundary = kernels::parse_boundary(o.open);
   knots.parametrization = kernels::parse_parametrization(o.parametrization.value_or("centripetal"));
   knots.reparametrize = o.reparametrize;
-  const kernels::KnotRule rule = kernels::parse_knot_rule(s.kernel);
+  const auto rule = kernels::find_knot_rule(s.kernel);
+  if (!rule && o.digits != 0) bad_input("--digits is there for lagrange4, nuli4 and nuli6, and uniform schemes", s.id);
   const kernels::PointSet in = kernels::read_points(o.input);
   if (!o.parametrization && !o.reparametrize &&
       std::find(in.columns.begin(), in.columns.end(), "d") != in.columns.end())
     knots.parametrization = kernels::Parametrization::given;
-  const kernels::PointSet out =
-      o.digits == 0 ? kernels::refine_on_knots(in, rule, knots) : lowering::refine_on_knots(in, rule, knots, o.digits);
+  const kernels::PointSet out = !rule           ? lowering::refine_by_weights(s, in, knots)
+                                : o.digits == 0 ? kernels::refine_on_knots(in, *rule, knots)
+                                                : lowering::refine_on_knots(in, *rule, knots, o.digits);
   const bool closed = knots.boundary == kernels::Boundary::closed;
   kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));
   return 0;

@@ -447,9 +447,10 @@ JunctionVerdict decide_junction(const Scheme& scheme, long l) {
         d.witness += ": an eigenvalue >= " + radius.to_string();
       }
       if (c.boundary) {
-        const std::string text = c.domain == "k = q = 0"
-                                     ? "lambda_{i-1} = 1, lambda_i = 0 where not " + c.boundary->to_string() + " > 0"
-                                     : "k, q <= 1/2 where not " + c.boundary->to_string() + " > 0";
+        const std::string where = !has_edge_parameters(scheme) ? "all intervals"
+                                  : c.domain == "k = q = 0"    ? "lambda_{i-1} = 1, lambda_i = 0"
+                                                               : "k, q <= 1/2";
+        const std::string text = where + " where not " + c.boundary->to_string() + " > 0";
         if (std::find(d.exceptions.begin(), d.exceptions.end(), text) == d.exceptions.end())
           d.exceptions.push_back(text);
       }

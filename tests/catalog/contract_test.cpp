@@ -117,9 +117,9 @@ TEST_P(Contract, LimitIsTheStationarySchemeOfTheSameDimension) {
 }
 
 TEST_P(Contract, ClaimsCanBeRead) {
-  static const std::set<std::string> known = {"interpolatory", "generates",   "reproduces", "maximal",
-                                              "symmetric",     "sum-rules",   "continuity", "spectrum",
-                                              "contractive",   "well-defined"};
+  static const std::set<std::string> known = {"interpolatory", "generates",    "reproduces", "maximal",
+                                              "symmetric",     "sum-rules",    "continuity", "spectrum",
+                                              "contractive",   "well-defined", "support"};
   std::set<std::pair<std::string, std::string>> seen;
   for (const Claim& c : scheme_.claims) {
     EXPECT_TRUE(known.contains(c.name)) << c.name;

@@ -68,6 +68,27 @@ class Nuli(ProgramTest):
         self.refused("prove", "nuli4", "--claim", "symmetric", naming="symmetric")
         self.refused("prove", "nuli4", "--claim", "reproduces=1,x,exp(t*x),exp(-t*x)", naming="exp(t*x)")
 
+    def test_rule_of_any_order(self):
+        for order, scheme, d in ((3, "nuli4", "1,1/2,3"), (4, "nuli6", "1,1/2,3,2,1/5")):
+            a, b = (self.twoscale_json("stencil", s, "--at", f"d=[{d}]") for s in (f"nuli:n={order}", scheme))
+            self.assertEqual(a["coefficients"], b["coefficients"])
+        a, b = (self.twoscale_json("stencil", s, "--at", at)["coefficients"] for s, at in
+                (("nuli:n=3,lambda=1/3", "d=[1,1/2,3]"), ("nuli4", "d=[1,1/2,3],lambda=1/3")))
+        self.assertEqual(a, b)
+        d = self.twoscale_json("stencil", "nuli:n=5", "--at", "d=[1,1,1,1,1,1,1]")
+        self.assertEqual(d["lowest"], -3)
+        self.assertEqual(d["coefficients"], d["coefficients"][::-1])
+        self.assertEqual(self.twoscale_json("spectrum", "nuli:n=5", "--at", "alpha=2")["lowest"], -7)
+        data = self.file("n.csv", "x,y\n0,0\n4,1\n4.2,3\n1,4\n")
+        for options in ((), ("--reparametrize",), ("--open=linear",)):
+            rows = self.twoscale("refine", "nuli:n=5", "--levels", "2", *options, data).split()[1:]
+            self.assertEqual(len(rows), 13 if options and options[0].startswith("--open") else 16)
+            self.assertEqual(rows[4], "4,1")
+        self.refused("refine", "nuli:n=5", "--levels", "1", "--digits", "20", data, naming="nuli:n=5")
+        self.refused("refine", "nuli:n=5", "--levels", "1", "--open=space", data, naming="nuli:n=5")
+        for wrong in ("nuli", "nuli:n=2", "nuli:n=9", "nuli:n=4,lambda=1"):
+            self.refused("show", wrong, naming=wrong.split("=")[-1] if "=" in wrong else "n")
+
     def test_show(self):
         self.assertIn("lambda_0", self.twoscale("show", "nuli4"))
         d = self.twoscale_json("show", "nuli6")

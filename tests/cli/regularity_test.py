@@ -410,8 +410,7 @@ class Refusals(RegularityTest):
                 (("dd:l=2", "--width", "0"), "--width"), (("dd:l=2", "--width", "x"), "x"),
                 (("dd:l=2", "--width", "-1/2"), "--width"), (("dd:l=2", "--vertices", "1"), "--vertices"),
                 (("dd:l=2", "--format", "xml"), "xml"), (("dd:l=2", "--nonsense"), "--nonsense"),
-                (("dd:l=2", "--matrices", "m.json"), "--matrices"), (("nuli4",), "nuli4"),
-                (("hermite-circle",), "hermite")):
+                (("dd:l=2", "--matrices", "m.json"), "--matrices"), (("nuli4",), "nuli4")):
             with self.subTest(arguments=arguments):
                 certificate = self.path("c.json")
                 self.refused("regularity", *arguments, "--certificate", certificate, naming=naming)

@@ -97,6 +97,7 @@ detail::Cutting cutting(unsigned seed, bool stream) {
   detail::Cutting c;
   c.tile_values = std::size_t{1} << random() % 12;
   c.chunk_values = std::size_t{1} << random() % 11;
+  c.together = random() % 6;
   c.columns = 1 + random() % 70;
   c.grain_rows = 1 + random() % 500;
   c.stream = stream;

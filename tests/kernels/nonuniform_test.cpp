@@ -252,5 +252,43 @@ TEST(Nonuniform, WhatCannotBeUsedIsNamed) {
   EXPECT_NE(refusal(p, Boundary::given).find("at least 10"), std::string::npos);
 }
 
+// The edges are worked on in strips; where they begin must not show.
+TEST(Nonuniform, StripsDoNotShow) {
+  for (const KnotRule rule : {KnotRule::lagrange4, KnotRule::nuli4, KnotRule::nuli6}) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(0.1, 0.9);
+    KnotPolygon<double> p, turned;
+    p.dim = turned.dim = 3;
+    constexpr std::size_t n = 700, turn = 123;
+    for (std::size_t i = 0; i < 3 * n; ++i) p.points.push_back(number(random));
+    for (std::size_t i = 0; i < n; ++i) {
+      p.d.push_back(number(random));
+      p.lambda.push_back(i % 3 == 0 ? number(random) : 0.5);
+      p.tagged.push_back(static_cast<unsigned char>(random() % 2));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t from = (i + turn) % n;
+      for (std::size_t c = 0; c < 3; ++c) turned.points.push_back(p.points[3 * from + c]);
+      turned.d.push_back(p.d[from]);
+      turned.lambda.push_back(p.lambda[from]);
+      turned.tagged.push_back(p.tagged[from]);
+    }
+    KnotRefiner<double> refiner;
+    const KnotPolygon<double> a = refine_knots(p, rule, 2, Boundary::closed);
+    const KnotPolygon<double>& b = refiner.refine(turned, rule, 2, Boundary::closed);
+    ASSERT_EQ(a.size(), 4 * n);
+    ASSERT_EQ(b.size(), 4 * n);
+    for (std::size_t i = 0; i < 4 * n; ++i) {
+      const std::size_t at = (i + 4 * turn) % (4 * n);
+      for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(b.points[3 * i + c], a.points[3 * at + c]);
+      ASSERT_EQ(b.d[i], a.d[at]);
+      ASSERT_EQ(b.lambda[i], a.lambda[at]);
+      ASSERT_EQ(b.tagged[i], a.tagged[at]);
+    }
+    EXPECT_EQ(refiner.refine(p, rule, 0, Boundary::closed).points, p.points);
+    EXPECT_EQ(refiner.refine(p, rule, 2, Boundary::closed).points, a.points);
+  }
+}
+
 }  // namespace
 }  // namespace twoscale::kernels

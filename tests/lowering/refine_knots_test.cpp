@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::lowering {
@@ -77,6 +78,38 @@ TEST(RefineKnots, EqualLengthsAreExact) {
   EXPECT_EQ(refine_on_knots(square, KnotRule::nuli4, {1, Boundary::closed, Parametrization::centripetal, false}, 17)
                 .tokens[2],
             "0.05");
+}
+
+/// Weights evaluated one by one give what the kernels give, and the 8-point rule keeps quartics.
+TEST(RefineByWeights, AgreesWithKernels) {
+  const kernels::PointSet points = read("x,y\n0,0\n4,1\n4.2,3\n1,4\n0.3,4.1\n-1,2\n-1.1,1.9\n-0.5,0.5\n-0.4,0.2\n");
+  for (const auto& [scheme, rule] : {std::pair("nuli:n=3", KnotRule::nuli4), std::pair("nuli:n=4", KnotRule::nuli6)})
+    for (const Boundary boundary : {Boundary::closed, Boundary::linear, Boundary::given})
+      for (const bool again : {false, true}) {
+        const KnotOptions options{1, boundary, Parametrization::centripetal, again};
+        if (boundary == Boundary::given && rule == KnotRule::nuli6) continue;  // too few points
+        const auto fine = refine_by_weights(make_scheme(scheme), points, options);
+        const auto expected = kernels::refine_on_knots(points, rule, options);
+        ASSERT_EQ(fine.values.size(), expected.values.size());
+        for (size_t i = 0; i < fine.values.size(); ++i) EXPECT_NEAR(fine.values[i], expected.values[i], 1e-12);
+      }
+  std::string text = "x,y,d\n";
+  double x = -2;
+  for (int j = 0; j < 20; ++j) {
+    const double d = j % 3 == 0 ? 0.25 : j % 3 == 1 ? 0.125 : 0.5;
+    text += std::to_string(x) + "," + std::to_string(x * x * x * x) + "," + std::to_string(d) + "\n";
+    x += d;
+  }
+  const auto eight =
+      refine_by_weights(make_scheme("nuli:n=5"), read(text), {2, Boundary::given, Parametrization::given, false});
+  ASSERT_GT(eight.size(), 20U);
+  for (size_t j = 0; j < eight.size(); ++j)
+    EXPECT_NEAR(eight.values[3 * j + 1], std::pow(eight.values[3 * j], 4), 1e-4 * (1 + eight.values[3 * j + 1]));
+  const Scheme four = make_scheme("nuli:n=3");
+  EXPECT_THROW(refine_by_weights(four, read(uneven), {}), Error);  // lambda, tag
+  EXPECT_THROW(refine_by_weights(four, read("x,y\n0,0\n0,0\n1,1\n"), {}), Error);
+  EXPECT_THROW(refine_by_weights(four, points, {1, Boundary::space, Parametrization::uniform, false}), Error);
+  EXPECT_THROW(refine_by_weights(make_scheme("nuli4"), points, {}), Error);
 }
 
 TEST(RefineKnots, WhatCannotBeUsedIsNamed) {

@@ -17,10 +17,15 @@ std::string number(double value) { return shortest(value); }
 
 }  // namespace detail
 
-KnotRule parse_knot_rule(std::string_view text) {
+std::optional<KnotRule> find_knot_rule(std::string_view text) {
   if (text == "lagrange4") return KnotRule::lagrange4;
   if (text == "nuli4") return KnotRule::nuli4;
   if (text == "nuli6") return KnotRule::nuli6;
+  return std::nullopt;
+}
+
+KnotRule parse_knot_rule(std::string_view text) {
+  if (const auto rule = find_knot_rule(text)) return *rule;
   detail::fail_knots("no kernel refines by this rule: " + quoted(text));
 }
 

@@ -56,6 +56,9 @@ void any_groups(const Groups<Real>& g) {
   scalar_groups(g, 0, g.groups);
 }
 
+std::size_t segments_of_doubles(std::size_t) { return 0; }
+void doubles_apart(const Groups<double>&, double* const*) {}
+
 #else
 
 // N registers of phase r from in[t] on. kTaps > 0: that many weights, in `w`, with their rows in `row`.
@@ -64,11 +67,11 @@ HWY_INLINE void sums(D d, const Groups<Real>& g, std::size_t r, const std::type_
                      const std::type_identity_t<Real>* const* row, std::size_t t, V* HWY_RESTRICT sum) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
   if constexpr (kTaps > 0) {
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Mul(w[0], hn::LoadU(d, row[0] + t + i * lanes));
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (std::size_t s = 1; s < kTaps; ++s) {
-#pragma GCC unroll 8
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Add(sum[i], hn::Mul(w[s], hn::LoadU(d, row[s] + t + i * lanes)));
     }
   } else {
@@ -76,23 +79,23 @@ HWY_INLINE void sums(D d, const Groups<Real>& g, std::size_t r, const std::type_
     const std::size_t end = g.begin[r + 1];
     std::size_t s = g.begin[r];
     if (s == end) {
-#pragma GCC unroll 8
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Zero(d);
       return;
     }
     const Real* from = g.in + t + g.offset[s] * stride;
     if (end - s == 1 && g.weight[s] == Real(1)) {
-#pragma GCC unroll 8
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < N; ++i) sum[i] = hn::LoadU(d, from + i * lanes);
       return;
     }
     V x = hn::Set(d, g.weight[s]);
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Mul(x, hn::LoadU(d, from + i * lanes));
     for (++s; s < end; ++s) {
       x = hn::Set(d, g.weight[s]);
       from = g.in + t + g.offset[s] * stride;
-#pragma GCC unroll 8
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Add(sum[i], hn::Mul(x, hn::LoadU(d, from + i * lanes)));
     }
   }
@@ -127,13 +130,13 @@ HWY_INLINE void interleave(D d, const V* HWY_RESTRICT e, const V* HWY_RESTRICT o
     to[5] = o[2];
   } else if constexpr (kDim >= lanes) {
     constexpr std::size_t run = kDim / lanes;
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (std::size_t i = 0; i < N; ++i) {
       to[(i / run) * 2 * run + i % run] = e[i];
       to[(i / run) * 2 * run + i % run + run] = o[i];
     }
   } else if constexpr (kDim * sizeof(Real) == 16) {
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (std::size_t i = 0; i < N; ++i) {
       to[2 * i] = hn::ConcatLowerLower(d, o[i], e[i]);
       to[2 * i + 1] = hn::ConcatUpperUpper(d, o[i], e[i]);
@@ -141,7 +144,7 @@ HWY_INLINE void interleave(D d, const V* HWY_RESTRICT e, const V* HWY_RESTRICT o
   } else {
     // Single numbers, or pairs of floats moved as if they were doubles.
     const hn::Repartition<std::conditional_t<kDim == 2, double, Real>, D> u;
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (std::size_t i = 0; i < N; ++i) {
       const auto a = hn::BitCast(u, e[i]), b = hn::BitCast(u, o[i]);
       const auto low = hn::InterleaveLower(u, a, b), high = hn::InterleaveUpper(u, a, b);
@@ -162,11 +165,11 @@ void binary_groups(const Groups<Real>& g) {
   const hn::CappedTag<Real, kDim == 3 ? 4 : 32 / sizeof(Real)> d;
   using V = hn::Vec<decltype(d)>;
   constexpr std::size_t lanes = hn::MaxLanes(decltype(d)());
-  constexpr std::size_t block = kDim == 3 ? 3 : 4;                                       // registers of each phase
+  constexpr std::size_t block = kDim % 3 == 0 ? 3 : 4;                                   // registers of each phase
   constexpr std::size_t least = kDim == 3 ? 3 : std::max<std::size_t>(1, kDim / lanes);  // so many are whole rows
   std::array<V, kTaps + 1> w;
   std::array<const Real*, kTaps + 1> row;
-#pragma GCC unroll 8
+#pragma GCC unroll 16
   for (std::size_t s = 0; s < kTaps; ++s) {
     w[s] = hn::Set(d, g.weight[g.begin[1] + s]);
     row[s] = g.in + g.offset[g.begin[1] + s] * static_cast<std::ptrdiff_t>(kDim);
@@ -178,7 +181,7 @@ void binary_groups(const Groups<Real>& g) {
   for (; t + block * lanes <= count; t += block * lanes) {
     V e[block], o[block], to[2 * block];
     if constexpr (kTaps > 0) {
-#pragma GCC unroll 8
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < block; ++i) e[i] = hn::LoadU(d, even + t + i * lanes);
     } else {
       sums<0, block>(d, g, 0, nullptr, nullptr, t, e);
@@ -187,10 +190,10 @@ void binary_groups(const Groups<Real>& g) {
     interleave<kDim, block>(d, e, o, to);
     Real* const out = g.out + 2 * t;
     if (stream) {
-#pragma GCC unroll 8
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < 2 * block; ++i) hn::Stream(to[i], d, out + i * lanes);
     } else {
-#pragma GCC unroll 8
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < 2 * block; ++i) hn::StoreU(to[i], d, out + i * lanes);
     }
   }
@@ -203,28 +206,143 @@ void binary_groups(const Groups<Real>& g) {
     sums<0, least>(d, g, 0, nullptr, nullptr, t, e);
     sums<kTaps, least>(d, g, 1, w.data(), row.data(), t, o);
     interleave<kDim, least>(d, e, o, to);
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (std::size_t i = 0; i < 2 * least; ++i) hn::StoreU(to[i], d, g.out + 2 * t + i * lanes);
     t += least * lanes;
   }
   if (t < count) scalar_groups(g, t / kDim, g.groups);
 }
 
-template <std::size_t kDim, class Real>
-void binary_groups(const Groups<Real>& g) {
+// Calls with the number of weights of the odd phase, 0 in general; not 0: the even phase copies.
+template <class Real, class F>
+HWY_INLINE void by_taps(const Groups<Real>& g, F call) {
   if constexpr (sizeof(Real) == 8) {
     if (g.begin[1] - g.begin[0] == 1 && g.weight[g.begin[0]] == Real(1)) {
       switch (g.begin[2] - g.begin[1]) {
-        case 2: return binary_groups<kDim, 2>(g);
-        case 4: return binary_groups<kDim, 4>(g);
-        case 6: return binary_groups<kDim, 6>(g);
-        case 8: return binary_groups<kDim, 8>(g);
+        case 2: return call(std::integral_constant<std::size_t, 2>());
+        case 4: return call(std::integral_constant<std::size_t, 4>());
+        case 6: return call(std::integral_constant<std::size_t, 6>());
+        case 8: return call(std::integral_constant<std::size_t, 8>());
+        case 16: return call(std::integral_constant<std::size_t, 16>());
         default: break;
       }
     }
   }
-  binary_groups<kDim, 0>(g);
+  call(std::integral_constant<std::size_t, 0>());
 }
+
+template <std::size_t kDim, class Real>
+void binary_groups(const Groups<Real>& g) {
+  by_taps(g, [&](auto taps) { binary_groups<kDim, decltype(taps)::value>(g); });
+}
+
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+
+// Four vectors as rows of a matrix, turned.
+template <class D, class V>
+HWY_INLINE void turn(D d, const V* HWY_RESTRICT from, V* HWY_RESTRICT to) {
+  const V a = hn::InterleaveLower(d, from[0], from[1]), b = hn::InterleaveUpper(d, from[0], from[1]);
+  const V c = hn::InterleaveLower(d, from[2], from[3]), e = hn::InterleaveUpper(d, from[2], from[3]);
+  to[0] = hn::ConcatLowerLower(d, c, a);
+  to[1] = hn::ConcatLowerLower(d, e, b);
+  to[2] = hn::ConcatUpperUpper(d, c, a);
+  to[3] = hn::ConcatUpperUpper(d, e, b);
+}
+
+// Rows of kWidth numbers in kSegments segments.
+template <std::size_t kWidth, std::size_t kSegments, std::size_t kTaps>
+void groups_apart(const Groups<double>& g, double* const* out) {
+  const hn::CappedTag<double, 4> d;
+  using V = hn::Vec<decltype(d)>;
+  constexpr std::size_t row_values = kWidth * kSegments;
+  constexpr std::size_t run = row_values / 4;            // registers of a row
+  constexpr std::size_t block = run == 3 ? 6 : 4;        // registers of each phase at once
+  constexpr std::size_t pieces = 2 * block / kSegments;  // registers of each segment
+  std::array<V, kTaps + 1> w;
+  std::array<const double*, kTaps + 1> row;
+#pragma GCC unroll 16
+  for (std::size_t s = 0; s < kTaps; ++s) {
+    w[s] = hn::Set(d, g.weight[g.begin[1] + s]);
+    row[s] = g.in + g.offset[g.begin[1] + s] * static_cast<std::ptrdiff_t>(row_values);
+  }
+  const double* const even =
+      kTaps > 0 ? g.in + g.offset[g.begin[0]] * static_cast<std::ptrdiff_t>(row_values) : nullptr;
+  std::array<double*, kSegments> to;
+  for (std::size_t l = 0; l < kSegments; ++l) to[l] = out[l];
+  const std::size_t count = g.groups * row_values;
+  std::size_t t = 0;
+  for (; t + block * 4 <= count; t += block * 4) {
+    V e[block], o[block], both[2 * block], apart[2 * block];
+    if constexpr (kTaps > 0) {
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < block; ++i) e[i] = hn::LoadU(d, even + t + i * 4);
+    } else {
+      sums<0, block>(d, g, 0, nullptr, nullptr, t, e);
+    }
+    sums<kTaps, block>(d, g, 1, w.data(), row.data(), t, o);
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < block; ++i) {
+      both[(i / run) * 2 * run + i % run] = e[i];
+      both[(i / run) * 2 * run + i % run + run] = o[i];
+    }
+    // apart[l*pieces + i]: register i of segment l.
+    if constexpr (kSegments == 2) {
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < block; ++i) {
+        apart[i] = hn::ConcatLowerLower(d, both[2 * i + 1], both[2 * i]);
+        apart[pieces + i] = hn::ConcatUpperUpper(d, both[2 * i + 1], both[2 * i]);
+      }
+    } else {
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < 2 * block; i += 4) {
+        V turned[4];
+        turn(d, both + i, turned);
+#pragma GCC unroll 16
+        for (std::size_t l = 0; l < 4; ++l) apart[l * pieces + i / 4] = turned[l];
+      }
+    }
+    const std::size_t at = 2 * t / kSegments;
+#pragma GCC unroll 16
+    for (std::size_t l = 0; l < kSegments; ++l) {
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < pieces; ++i) hn::StoreU(apart[l * pieces + i], d, to[l] + at + i * 4);
+    }
+  }
+  for (std::size_t q = t / row_values; q < g.groups; ++q)
+    for (std::size_t r = 0; r < 2; ++r)
+      for (std::size_t l = 0; l < kSegments; ++l)
+        for (std::size_t c = 0; c < kWidth; ++c)
+          to[l][(2 * q + r) * kWidth + c] =
+              one_sum(g, r, g.in + q * row_values + (kSegments == 2 ? l * kWidth + c : c * kSegments + l));
+}
+
+std::size_t segments_of_doubles(std::size_t width) {
+  constexpr std::size_t best[] = {0, 4, 2, 4, 1};
+  return width <= 4 ? best[width] : 0;
+}
+
+void doubles_apart(const Groups<double>& g, double* const* out) {
+  by_taps(g, [&](auto taps) {
+    constexpr std::size_t n = decltype(taps)::value;
+    switch (g.width) {
+      case 1: return groups_apart<1, 4, n>(g, out);
+      case 2: return groups_apart<2, 2, n>(g, out);
+      case 3: return groups_apart<3, 4, n>(g, out);
+      default: break;
+    }
+    Groups<double> whole = g;
+    whole.out = out[0];
+    whole.out_stride = 4;
+    binary_groups<4, n>(whole);
+  });
+}
+
+#else
+
+std::size_t segments_of_doubles(std::size_t) { return 0; }
+void doubles_apart(const Groups<double>&, double* const*) {}
+
+#endif
 
 // Numbers t..t+count-1 of phase r, unit stride, to `to`.
 template <class D, class Real>
@@ -234,7 +352,7 @@ HWY_INLINE void strip(D d, const Groups<Real>& g, std::size_t r, std::size_t t, 
   std::size_t i = 0;
   for (; i + 4 * lanes <= count; i += 4 * lanes) {
     sums<0, 4>(d, g, r, nullptr, nullptr, t + i, sum);
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (std::size_t k = 0; k < 4; ++k) hn::StoreU(sum[k], d, to + i + k * lanes);
   }
   for (; i < count; i += lanes) {
@@ -257,6 +375,9 @@ void any_groups(const Groups<Real>& g) {
       case 3: return binary_groups<3>(g);
       default: return binary_groups<4>(g);
     }
+  }
+  if constexpr (sizeof(Real) == 8 && hn::MaxLanes(hn::CappedTag<Real, 4>()) == 4) {
+    if (g.arity == 2 && g.width == 12 && g.in_stride == 12 && g.out_stride == 12) return binary_groups<12>(g);
   }
   const hn::CappedTag<Real, 32 / sizeof(Real)> d;
   if (g.width >= hn::MaxLanes(d)) {
@@ -317,9 +438,15 @@ namespace twoscale::kernels::detail {
 HWY_EXPORT(groups_of_doubles);
 HWY_EXPORT(groups_of_floats);
 HWY_EXPORT(copy_lines);
+HWY_EXPORT(segments_of_doubles);
+HWY_EXPORT(doubles_apart);
 
 void run_groups(const Groups<double>& g) { HWY_DYNAMIC_DISPATCH(groups_of_doubles)(g); }
 void run_groups(const Groups<float>& g) { HWY_DYNAMIC_DISPATCH(groups_of_floats)(g); }
+
+std::size_t best_segments(std::size_t width) { return HWY_DYNAMIC_DISPATCH(segments_of_doubles)(width); }
+
+void run_groups_apart(const Groups<double>& g, double* const* out) { HWY_DYNAMIC_DISPATCH(doubles_apart)(g, out); }
 
 void stream_copy(const void* from, std::size_t bytes, void* to) {
   const auto* source = static_cast<const unsigned char*>(from);

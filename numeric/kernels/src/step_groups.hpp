@@ -34,4 +34,13 @@ constexpr bool direct_stream(std::size_t arity, std::size_t width, std::size_t i
 void run_groups(const Groups<double>& g);
 void run_groups(const Groups<float>& g);
 
+// Several segments of a polygon side by side: a row of `in` is a row of every segment, number c of segment l at
+// [c*segments + l] (two segments of two numbers: [l*2 + c]). They go through a step as one wider row, without any
+// interleaving; run_groups_apart is a step that takes them apart again: rows of segment l to out[l], dense. Binary
+// rules; g.width is that of a segment, g.in_stride of all; g.out and g.stream are not used.
+//
+// How many segments a polygon of doubles is best cut into on this machine; 1 leaves it as it is, 0: do not.
+std::size_t best_segments(std::size_t width);
+void run_groups_apart(const Groups<double>& g, double* const* out);
+
 }  // namespace twoscale::kernels::detail

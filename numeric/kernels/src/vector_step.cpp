@@ -57,6 +57,32 @@ void VectorStep<Real>::operator()(const Rows<Real>& rows) const {
   for (; i < end; ++i) single(i);
 }
 
+template <class Real>
+void VectorStep<Real>::whole_groups(const Real* in, std::size_t groups, std::size_t width, Real* out,
+                                    bool stream) const {
+  run_groups({weight_.data(), offset_.data(), begin_.data(), static_cast<std::size_t>(arity_), groups, width, in, width,
+              out, width, stream});
+}
+
+template <class Real>
+void VectorStep<Real>::groups_apart(const Real* in, std::size_t groups, std::size_t width, std::size_t segments,
+                                    Real* const* out) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    run_groups_apart(
+        {weight_.data(), offset_.data(), begin_.data(), 2, groups, width, in, width * segments, nullptr, 0, false},
+        out);
+  }
+}
+
+template <>
+std::size_t segments_of<double>(std::size_t width) {
+  return best_segments(width);
+}
+template <>
+std::size_t segments_of<float>(std::size_t) {
+  return 0;
+}
+
 template class VectorStep<double>;
 template class VectorStep<float>;
 

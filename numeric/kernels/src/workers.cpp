@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "twoscale/kernels/refine.hpp"
 
@@ -37,14 +38,23 @@ void Workers::run(std::size_t n, std::size_t grain, void* context, void (*call)(
   });
 }
 
-std::size_t streamed_from() {
-  static const std::size_t bytes = [] {
-    long cache = 0;
+// The last cache of one core in bytes. Linux says it in a file; sysconf adds up those of a whole package on some
+// machines.
+static std::size_t last_cache() {
+  std::ifstream file("/sys/devices/system/cpu/cpu0/cache/index3/size");
+  std::size_t size = 0;
+  char unit = ' ';
+  if (file >> size >> unit && size > 0) return size << (unit == 'K' ? 10 : unit == 'M' ? 20 : 0);
 #ifdef _SC_LEVEL3_CACHE_SIZE
-    cache = sysconf(_SC_LEVEL3_CACHE_SIZE);
+  if (const long bytes = sysconf(_SC_LEVEL3_CACHE_SIZE); bytes > 0) {
+    return std::min<std::size_t>(static_cast<std::size_t>(bytes), std::size_t{64} << 20);
+  }
 #endif
-    return static_cast<std::size_t>(cache > 0 ? cache : 16L << 20) / 2;
-  }();
+  return std::size_t{16} << 20;
+}
+
+std::size_t streamed_from() {
+  static const std::size_t bytes = last_cache() / 2;
   return bytes;
 }
 

@@ -4,6 +4,7 @@
 // Local parameters: d, the knot intervals; lambda, the place of the auxiliary knot in an edge, in [0, 1]. A rule is a
 // blend of polynomial interpolants at the middle of the edge (nulifs.hpp).
 #include "recipes.hpp"
+#include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/nulifs.hpp"
 
 namespace twoscale::families {
@@ -122,6 +123,41 @@ Scheme lagrange4(const SchemeName& name) {
   return s;
 }
 
+// The rule sampled from the symmetric splines of order n with the largest rho, every auxiliary knot at the same place.
+Scheme sampled(const SchemeName& name) {
+  const auto order = static_cast<unsigned>(integer_key(name, "n", 3, 5));
+  const auto at = name.keys.find("lambda");
+  const Rational lambda = at == name.keys.end() ? Rational(1, 2) : Rational::parse(at->second);
+  if (lambda.sign() <= 0 || lambda >= Rational(1)) bad_input("lambda must lie between 0 and 1", lambda.to_string());
+  const FundamentalFamily family = FundamentalFamily::symmetric(order);
+  const long mu = static_cast<long>(family.mu);
+  std::vector<long> offsets;
+  std::vector<RationalFunction> d;
+  for (long e = 1 - mu; e < mu; ++e) {
+    offsets.push_back(e);
+    d.push_back(variable("d", e));
+  }
+  Scheme s = local_scheme(name, offsets, {});
+  s.kernel = "nuli";
+  s.title = "NULI " + std::to_string(2 * mu) + "-point scheme of order " + std::to_string(order) +
+            ", auxiliary knots at " + lambda.to_string();
+  s.source = "nuli (2.14), (2.17)";
+  std::string powers = "1";
+  for (unsigned e = 1; e < family.reproduction; ++e) powers += e == 1 ? ", x" : ", x^" + std::to_string(e);
+  s.claims = {{"interpolatory", "", "nuli (2.14)"}, {"reproduces", powers, "nuli section 2.3"}};
+  // Edges beyond those of d are not read.
+  const long reach = 3 * static_cast<long>(order) + 2 * mu;
+  std::vector<RationalFunction> all_d;
+  for (long e = -reach; e <= reach; ++e)
+    all_d.push_back(e > -mu && e < mu ? d[static_cast<size_t>(e + mu - 1)] : RationalFunction(1));
+  const std::vector<RationalFunction> c = sampled_rule(
+      family, -reach, all_d, std::vector<RationalFunction>(all_d.size(), lambda), lambda >= Rational(1, 2));
+  Stencil odd = empty_stencil(1 - mu, mu);
+  for (size_t i = 0; i < c.size(); ++i) odd.blocks[i][0] = c[i];
+  s.phases = with_old_point(std::move(odd));
+  return s;
+}
+
 }  // namespace
 
 void add_nuli(std::vector<CatalogEntry>& list) {
@@ -137,6 +173,13 @@ void add_nuli(std::vector<CatalogEntry>& list) {
                   {},
                   {"nuli6"},
                   nuli6});
+  list.push_back({"nuli",
+                  "2mu-point on arbitrary knots, sampled from splines of order n; knots come with the data",
+                  "nuli (2.14), (2.17)",
+                  {{"n", "order of the splines: 3, 4, 5 for 4, 6, 8 points", true},
+                   {"lambda", "place of all auxiliary knots, between 0 and 1; 1/2 if absent", false}},
+                  {"nuli:n=5", "nuli:lambda=1/3,n=3"},
+                  sampled});
   list.push_back({"lagrange4",
                   "4-point Lagrange rule on arbitrary knots; knots come with the data",
                   "Daubechies, Guskov and Sweldens 1999",

@@ -30,11 +30,14 @@
 //            inside, polynomials of degree 2 or 3.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "twoscale/kernels/error.hpp"
@@ -45,8 +48,9 @@ namespace twoscale::kernels {
 
 enum class KnotRule { lagrange4, nuli4, nuli6 };
 
-/// "lagrange4", "nuli4", "nuli6"; anything else throws Error (bad_input).
+/// "lagrange4", "nuli4", "nuli6"; anything else throws Error (bad_input), or is nothing.
 KnotRule parse_knot_rule(std::string_view text);
+std::optional<KnotRule> find_knot_rule(std::string_view text);
 /// Points on each side of the edge that the rule reads: 2 or 3.
 constexpr long half_width(KnotRule rule) { return rule == KnotRule::nuli6 ? 3 : 2; }
 /// The degree of the polynomials that the rule reproduces on arbitrary knots.
@@ -95,19 +99,6 @@ namespace detail {
 [[noreturn]] void fail_knots(const std::string& message);
 std::string number(double value);
 
-// A vector with an index that may start below 0.
-template <class T>
-class Shifted {
- public:
-  Shifted(long first, std::size_t count, const T& value) : first_(first), v_(count, value) {}
-  T& operator[](long i) { return v_[static_cast<std::size_t>(i - first_)]; }
-  const T& operator[](long i) const { return v_[static_cast<std::size_t>(i - first_)]; }
-
- private:
-  long first_;
-  std::vector<T> v_;
-};
-
 template <class T>
 T quotient_or_zero(const T& a, const T& b) {
   return b == T(0) ? T(0) : a / b;
@@ -131,119 +122,253 @@ T cubic_weight(const T& a, const T& b, const T& k, const T& m) {
 
 }  // namespace detail
 
+namespace detail {
+
+// The formulas for a strip of edges, over arrays that stay in the first cache; number i of an array belongs to edge or
+// point first + i. Two strips never depend on each other, and every quotient is formed once in each.
+template <class T>
+class KnotStrip {
+ public:
+  static constexpr long edges_at_once = 256;
+
+  KnotStrip(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary)
+      : p_(p),
+        rule_(rule),
+        n_(static_cast<long>(p.size())),
+        edges_(static_cast<long>(p.edges())),
+        dim_(static_cast<long>(p.dim)),
+        half_(T(1) / T(2)) {
+    const std::size_t room = static_cast<std::size_t>(edges_at_once + 2 * reach + 2);
+    d_.resize(room, T(0));
+    lambda_.resize(room, half_);
+    for (auto* rows : {&x_, &first_, &second_, &third_}) rows->resize(room * p.dim, T(0));
+    if (!p.closed) extend_ends(boundary);
+  }
+
+  // New points of the edges from..to-1 (at most edges_at_once), and the old ones before them, into `out` from its row
+  // `row` on.
+  void run(long from, long to, KnotPolygon<T>& out, std::size_t row) {
+    switch (dim_) {
+      case 2: return run(std::integral_constant<long, 2>(), from, to, out, row);
+      case 3: return run(std::integral_constant<long, 3>(), from, to, out, row);
+      default: return run(dim_, from, to, out, row);
+    }
+  }
+
+ private:
+  static constexpr long reach = 3;  // edges before and after a strip
+
+  // Knot interval and edge parameter of any edge: beyond the ends those of the other end, or mirrored ones.
+  std::pair<T, T> edge(long e) const {
+    if (p_.closed || (e >= 0 && e < edges_)) {
+      const auto from = static_cast<std::size_t>(p_.closed ? e - n_ * floor_div(e, n_) : e);
+      return {p_.d[from], p_.lambda[from]};
+    }
+    // A polygon with less than three edges has no more to mirror.
+    const long mirrored = e < 0 ? -1 - e : 2 * edges_ - 1 - e;
+    const auto from = static_cast<std::size_t>(std::min(std::max(mirrored, 0L), edges_ - 1));
+    return {p_.d[from], T(1) - p_.lambda[from]};
+  }
+
+  const T* point(long j) const {
+    return &p_.points[static_cast<std::size_t>((p_.closed ? j - n_ * floor_div(j, n_) : j) * dim_)];
+  }
+
+  // D_j of an inner point.
+  std::vector<T> inner_second(long j) const {
+    const T before = edge(j - 1).first, after = edge(j).first;
+    std::vector<T> out;
+    for (long c = 0; c < dim_; ++c) {
+      const T v0 = quotient_or_zero<T>(point(j)[c] - point(j - 1)[c], before);
+      const T v1 = quotient_or_zero<T>(point(j + 1)[c] - point(j)[c], after);
+      out.push_back(quotient_or_zero<T>(v1 - v0, before + after));
+    }
+    return out;
+  }
+
+  // D_j for j = -2..0 and edges..edges+2.
+  void extend_ends(Boundary boundary) {
+    const auto span = [&](long j) { return edge(j - 1).first + edge(j).first + edge(j + 1).first; };
+    const auto inner = [&](long j) {
+      return j >= 1 && j < edges_ ? inner_second(j) : std::vector<T>(static_cast<std::size_t>(dim_), T(0));
+    };
+    left_.assign(3, std::vector<T>(static_cast<std::size_t>(dim_), T(0)));
+    right_ = left_;
+    if (boundary == Boundary::linear) {
+      for (long h = 1; h <= 2; ++h) {
+        const std::vector<T> l = inner(h), r = inner(edges_ - h);
+        for (std::size_t c = 0; c < l.size(); ++c) {
+          left_[static_cast<std::size_t>(h)][c] = h >= edges_ ? T(0) : T(0) - l[c];
+          right_[static_cast<std::size_t>(h)][c] = h >= edges_ ? T(0) : T(0) - r[c];
+        }
+      }
+      return;
+    }
+    // The polynomial of the first points goes on: D constant, or T constant.
+    const bool cubic = precision(rule_) == 3;
+    const std::vector<T> l1 = inner(1), l2 = inner(2), r1 = inner(edges_ - 1), r2 = inner(edges_ - 2);
+    for (std::size_t c = 0; c < l1.size(); ++c) {
+      const T left = cubic ? quotient_or_zero<T>(l2[c] - l1[c], span(1)) : T(0);
+      const T right = cubic ? quotient_or_zero<T>(r1[c] - r2[c], span(edges_ - 2)) : T(0);
+      T value = l1[c];
+      for (long h = 0; h <= 2; ++h) {
+        value = value - (h <= 1 ? left * span(-h) : T(0));
+        left_[static_cast<std::size_t>(h)][c] = value;
+      }
+      value = r1[c];
+      for (long h = 0; h <= 2; ++h) {
+        value = value + (h <= 1 ? right * span(edges_ + h - 1) : T(0));
+        right_[static_cast<std::size_t>(h)][c] = value;
+      }
+    }
+  }
+
+  template <class Dim>
+  void run(Dim dim, long from, long to, KnotPolygon<T>& out, std::size_t row) {
+    const long a = from - reach, b = to + reach;  // edges a..b-1
+    const bool inside = a >= 0 && b < (p_.closed ? n_ : edges_);
+    if (!inside) {
+      for (long e = a; e < b; ++e) {
+        const auto [interval, parameter] = edge(e);
+        d_[static_cast<std::size_t>(e - a)] = interval;
+        lambda_[static_cast<std::size_t>(e - a)] = parameter;
+      }
+      for (long j = a; j <= b; ++j)
+        if (p_.closed || (j >= 0 && j < n_)) std::copy_n(point(j), dim_, &x_[static_cast<std::size_t>((j - a) * dim)]);
+    }
+    const T* const d = inside ? &p_.d[static_cast<std::size_t>(a)] : d_.data();
+    const T* const lambda = inside ? &p_.lambda[static_cast<std::size_t>(a)] : lambda_.data();
+    const T* const x = inside ? &p_.points[static_cast<std::size_t>(a * dim)] : x_.data();
+    T* const first = first_.data();
+    T* const second = second_.data();
+    T* const third = third_.data();
+    // All quotients of a row by one number.
+    const auto divide = [dim](T* to_row, const T* minuend, const T* subtrahend, const T& by) {
+      if (by == T(0)) {
+        for (long c = 0; c < dim; ++c) to_row[c] = T(0);
+      } else {
+        for (long c = 0; c < dim; ++c) to_row[c] = (minuend[c] - subtrahend[c]) / by;
+      }
+    };
+    const long edge_low = p_.closed ? a : std::max(a, 0L), edge_high = p_.closed ? b : std::min(b, edges_);
+    for (long i = edge_low - a; i < edge_high - a; ++i) divide(first + i * dim, x + (i + 1) * dim, x + i * dim, d[i]);
+    const long point_low = p_.closed ? a + 1 : std::max(a + 1, 1L);
+    const long point_high = p_.closed ? b : std::min(b, edges_);
+    for (long i = point_low - a; i < point_high - a; ++i)
+      divide(second + i * dim, first + i * dim, first + (i - 1) * dim, d[i - 1] + d[i]);
+    for (long j = a + 1; j < point_low; ++j)
+      if (j >= -2) std::copy_n(left_[static_cast<std::size_t>(-j)].data(), dim_, second + (j - a) * dim);
+    for (long j = point_high; j < b; ++j)
+      if (j <= edges_ + 2)
+        std::copy_n(right_[static_cast<std::size_t>(j - edges_)].data(), dim_, second + (j - a) * dim);
+    const auto span = [&](long i) { return d[i - 1] + d[i] + d[i + 1]; };
+    const bool six = rule_ == KnotRule::nuli6;
+    if (six) {
+      for (long i = reach - 1; i < b - a - reach + 1; ++i)
+        divide(third + i * dim, second + (i + 1) * dim, second + i * dim, span(i));
+    }
+    T* fine = &out.points[row * p_.dim];
+    for (long i = reach; i < b - a - reach; ++i, fine += 2 * dim) {
+      const T& di = d[i];
+      const T quarter = di * di / T(4);
+      T w, left(0), right(0);
+      if (rule_ == KnotRule::nuli4) {
+        w = quadratic_weight(lambda[i]);
+      } else {
+        const T all = span(i);
+        w = all == T(0) ? half_ : (di / T(2) + d[i + 1]) / all;
+      }
+      if (six) {
+        left = cubic_weight<T>(d[i - 1], di, T(1) - lambda[i - 1], lambda[i]);
+        right = cubic_weight<T>(d[i + 1], di, lambda[i + 1], T(1) - lambda[i]);
+      }
+      const T other = T(1) - w;
+      const T* const old = x + i * dim;
+      for (long c = 0; c < dim; ++c) {
+        const T* const D = second + i * dim + c;
+        T bend = w * D[0] + other * D[dim];
+        if (six) {
+          const T* const t = third + i * dim + c;
+          bend = bend + left * (t[-dim] - t[0]) - right * (t[dim] - t[0]);
+        }
+        fine[c] = old[c];
+        fine[dim + c] = (old[c] + old[dim + c]) * half_ - quarter * bend;
+      }
+    }
+    for (long j = from; j < to; ++j, row += 2) {
+      const auto at = static_cast<std::size_t>(j);
+      const std::size_t next = j + 1 == n_ ? 0 : at + 1;
+      out.tagged[row] = p_.tagged[at];
+      out.tagged[row + 1] = 0;
+      out.d[row] = out.d[row + 1] = p_.d[at] / T(2);
+      out.lambda[row] = p_.tagged[at] != 0 ? p_.lambda[at] : half_;
+      out.lambda[row + 1] = p_.tagged[next] != 0 ? p_.lambda[at] : half_;
+    }
+  }
+
+  const KnotPolygon<T>& p_;
+  KnotRule rule_;
+  long n_, edges_, dim_;
+  T half_;
+  std::vector<T> d_, lambda_, x_, first_, second_, third_;
+  std::vector<std::vector<T>> left_, right_;  // D_{-h}, D_{edges+h}
+};
+
+// One step into `out`, whose vectors keep their room.
+template <class T>
+void refine_knots_into(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary, KnotPolygon<T>& out) {
+  const long n = static_cast<long>(p.size());
+  const long edges = static_cast<long>(p.edges());
+  // With given points the edges whose stencil is not whole have no new point.
+  const long skipped = !p.closed && boundary == Boundary::given ? half_width(rule) - 1 : 0;
+  const auto made = static_cast<std::size_t>(edges - 2 * skipped);
+  const auto count = static_cast<std::size_t>(n - 2 * skipped) + made;
+  out.dim = p.dim;
+  out.closed = p.closed;
+  out.points.resize(count * p.dim, T(0));
+  out.d.resize(2 * made, T(0));
+  out.lambda.resize(2 * made, T(0));
+  out.tagged.resize(count);
+  KnotStrip<T> strip(p, rule, boundary);
+  for (long e = skipped; e < edges - skipped; e += KnotStrip<T>::edges_at_once)
+    strip.run(e, std::min(edges - skipped, e + KnotStrip<T>::edges_at_once), out,
+              2 * static_cast<std::size_t>(e - skipped));
+  if (!p.closed) {
+    const auto last = static_cast<std::size_t>(n - skipped - 1);
+    std::copy_n(&p.points[last * p.dim], p.dim, &out.points[(count - 1) * p.dim]);
+    out.tagged[count - 1] = p.tagged[last];
+  }
+}
+
+}  // namespace detail
+
 /// One step. The result is valid when the argument is. Cost: linear in the number of points.
 template <class T>
 KnotPolygon<T> refine_knots(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary) {
-  using detail::quotient_or_zero;
-  using detail::Shifted;
-  const long n = static_cast<long>(p.size());
-  const long edges = static_cast<long>(p.edges());
-  const long dim = static_cast<long>(p.dim);
-  const T half = T(1) / T(2);
-  const auto wrap = [n](long j) { return j - n * floor_div(j, n); };
-  const auto index = [dim](long j, long c) { return static_cast<std::size_t>(j * dim + c); };
-
-  // Knot intervals and edge parameters beyond the ends: those of the other end, or mirrored ones.
-  const std::size_t margin = static_cast<std::size_t>(edges) + 6;
-  Shifted<T> d(-3, margin, T(0));
-  Shifted<T> lambda(-3, margin, half);
-  for (long e = -3; e < edges + 3; ++e) {
-    if (p.closed || (e >= 0 && e < edges)) {
-      const auto from = static_cast<std::size_t>(p.closed ? wrap(e) : e);
-      d[e] = p.d[from];
-      lambda[e] = p.lambda[from];
-    } else {
-      // Mirrored at an end; a polygon with less than three edges has no more to mirror.
-      const long mirrored = e < 0 ? -1 - e : 2 * edges - 1 - e;
-      const auto from = static_cast<std::size_t>(std::min(std::max(mirrored, 0L), edges - 1));
-      d[e] = p.d[from];
-      lambda[e] = T(1) - p.lambda[from];
-    }
-  }
-
-  // Divided differences; component c of D_j at j*dim + c.
-  Shifted<T> first(-3 * dim, margin * p.dim, T(0));
-  for (long e = -3; e < edges + 3; ++e) {
-    if (!p.closed && (e < 0 || e >= edges)) continue;
-    const long from = p.closed ? wrap(e) : e;
-    const long to = p.closed ? wrap(e + 1) : e + 1;
-    for (long c = 0; c < dim; ++c)
-      first[e * dim + c] = quotient_or_zero<T>(p.points[index(to, c)] - p.points[index(from, c)], d[e]);
-  }
-  Shifted<T> second(-2 * dim, (static_cast<std::size_t>(edges) + 5) * p.dim, T(0));
-  for (long j = p.closed ? -2 : 1; j <= (p.closed ? edges + 2 : edges - 1); ++j)
-    for (long c = 0; c < dim; ++c)
-      second[j * dim + c] = quotient_or_zero<T>(first[j * dim + c] - first[(j - 1) * dim + c], d[j - 1] + d[j]);
-  const auto third_span = [&](long j) { return d[j - 1] + d[j] + d[j + 1]; };
-  if (!p.closed && boundary == Boundary::linear) {
-    for (long h = 0; h <= 2; ++h)
-      for (long c = 0; c < dim; ++c) {
-        second[-h * dim + c] = h == 0 || h >= edges ? T(0) : T(0) - second[h * dim + c];
-        second[(edges + h) * dim + c] = h == 0 || h >= edges ? T(0) : T(0) - second[(edges - h) * dim + c];
-      }
-  } else if (!p.closed) {
-    // The polynomial of the first points goes on: D constant, or T constant.
-    for (long c = 0; c < dim; ++c) {
-      const bool cubic = precision(rule) == 3;
-      const T left = cubic ? quotient_or_zero<T>(second[2 * dim + c] - second[dim + c], third_span(1)) : T(0);
-      const T right = cubic ? quotient_or_zero<T>(second[(edges - 1) * dim + c] - second[(edges - 2) * dim + c],
-                                                  third_span(edges - 2))
-                            : T(0);
-      for (long j = 0; j >= -2; --j)
-        second[j * dim + c] = second[(j + 1) * dim + c] - (j >= -1 ? left * third_span(j) : T(0));
-      for (long j = edges; j <= edges + 2; ++j)
-        second[j * dim + c] = second[(j - 1) * dim + c] + (j <= edges + 1 ? right * third_span(j - 1) : T(0));
-    }
-  }
-
-  // With given points the edges whose stencil is not whole have no new point.
-  const long skipped = !p.closed && boundary == Boundary::given ? half_width(rule) - 1 : 0;
   KnotPolygon<T> out;
-  out.dim = p.dim;
-  out.closed = p.closed;
-  const long kept = n - 2 * skipped;
-  const long made = edges - 2 * skipped;
-  out.points.reserve(static_cast<std::size_t>(kept + made) * p.dim);
-  for (long j = skipped; j < n - skipped; ++j) {
-    for (long c = 0; c < dim; ++c) out.points.push_back(p.points[index(j, c)]);
-    out.tagged.push_back(p.tagged[static_cast<std::size_t>(j)]);
-    if (j >= edges - skipped) break;
-    const T& dj = d[j];
-    const T quarter = dj * dj / T(4);
-    T w;
-    if (rule == KnotRule::nuli4) {
-      w = detail::quadratic_weight(lambda[j]);
-    } else {
-      const T span = third_span(j);
-      w = span == T(0) ? half : (dj / T(2) + d[j + 1]) / span;
-    }
-    T left(0), right(0);
-    if (rule == KnotRule::nuli6) {
-      left = detail::cubic_weight<T>(d[j - 1], dj, T(1) - lambda[j - 1], lambda[j]);
-      right = detail::cubic_weight<T>(d[j + 1], dj, lambda[j + 1], T(1) - lambda[j]);
-    }
-    const long next = p.closed ? wrap(j + 1) : j + 1;
-    for (long c = 0; c < dim; ++c) {
-      const T& before = second[j * dim + c];
-      const T& after = second[(j + 1) * dim + c];
-      T bend = w * before + (T(1) - w) * after;
-      if (rule == KnotRule::nuli6) {
-        const T middle = quotient_or_zero<T>(after - before, third_span(j));
-        const T t_left = quotient_or_zero<T>(before - second[(j - 1) * dim + c], third_span(j - 1));
-        const T t_right = quotient_or_zero<T>(second[(j + 2) * dim + c] - after, third_span(j + 1));
-        bend = bend + left * (t_left - middle) - right * (t_right - middle);
-      }
-      out.points.push_back((p.points[index(j, c)] + p.points[index(next, c)]) * half - quarter * bend);
-    }
-    out.tagged.push_back(0);
-    const T d_half = dj / T(2);
-    out.d.push_back(d_half);
-    out.d.push_back(d_half);
-    out.lambda.push_back(p.tagged[static_cast<std::size_t>(j)] != 0 ? p.lambda[static_cast<std::size_t>(j)] : half);
-    out.lambda.push_back(p.tagged[static_cast<std::size_t>(next)] != 0 ? p.lambda[static_cast<std::size_t>(j)] : half);
-  }
+  detail::refine_knots_into(p, rule, boundary, out);
   return out;
 }
+
+/// Several steps, over polygons that are kept from call to call.
+template <class T>
+class KnotRefiner {
+ public:
+  /// `levels` steps; the result is valid until the next call. With Boundary::given, points_beyond_ends() remain beyond
+  /// each end. Throws as validate.
+  const KnotPolygon<T>& refine(const KnotPolygon<T>& p, KnotRule rule, int levels, Boundary boundary) {
+    validate(p, rule, boundary);
+    const std::size_t steps = static_cast<std::size_t>(std::max(0, levels));
+    if (kept_.size() < std::max<std::size_t>(1, steps)) kept_.resize(std::max<std::size_t>(1, steps));
+    if (steps == 0) return kept_[0] = p;
+    for (std::size_t k = 0; k < steps; ++k)
+      detail::refine_knots_into(k == 0 ? p : kept_[k - 1], rule, boundary, kept_[k]);
+    return kept_[steps - 1];
+  }
+
+ private:
+  std::vector<KnotPolygon<T>> kept_;
+};
 
 /// `levels` steps. With Boundary::given, points_beyond_ends() remain beyond each end.
 template <class T>

@@ -227,6 +227,12 @@ class VectorStep {
   // Can rows of this shape be written past the caches?
   bool can_stream(std::size_t width, std::size_t in_stride, std::size_t out_stride) const;
 
+  // Whole groups of dense rows; `in` is the row of the first point whose group it is.
+  void whole_groups(const Real* in, std::size_t groups, std::size_t width, Real* out, bool stream) const;
+  // The same of several segments side by side, taken apart (step_groups.hpp).
+  void groups_apart(const Real* in, std::size_t groups, std::size_t width, std::size_t segments,
+                    Real* const* out) const;
+
  private:
   long arity_;
   // Of phase r the nonzero weights begin_[r]..begin_[r+1]-1, j upwards, and where their rows are, seen from point q.
@@ -240,6 +246,18 @@ extern template class VectorStep<float>;
 
 template <class T>
 inline constexpr bool is_vectorised = std::is_same_v<T, double> || std::is_same_v<T, float>;
+
+// How many segments of a polygon are refined side by side for rows of this width; 0: it is not cut. Two segments of two
+// numbers lie in a row one after the other, else the first numbers of all segments come first.
+template <class T>
+std::size_t segments_of(std::size_t width);
+template <>
+std::size_t segments_of<double>(std::size_t width);
+template <>
+std::size_t segments_of<float>(std::size_t width);
+constexpr std::size_t place_in_segments(std::size_t segments, std::size_t l, std::size_t c) {
+  return segments == 2 ? 2 * l + c : c * segments + l;
+}
 
 template <class T>
 using Step = std::conditional_t<is_vectorised<T>, VectorStep<T>, PlainStep<T>>;
@@ -372,7 +390,9 @@ struct Job {
   long out_first = 0;
   std::size_t out_stride = 0;
   bool stream = false;
-  std::size_t chunk_values = 0;  // of a piece that is copied past the caches
+  std::size_t chunk_values = 0;  // of a piece that goes past the caches at once
+  std::size_t segments = 0;      // of a tile
+  std::size_t together = 0;      // levels that they go through side by side
 };
 
 // The scratch in which a piece of the output goes through all levels; nothing is allocated for a piece that needs no
@@ -393,6 +413,7 @@ class Tile {
       return;
     }
     tile_windows(plan, job.boundary, first, last, windows_);
+    cut(job, first, last, width, out);
     layout(job, width, out, first);
     // Level 0: where it lies, or gathered.
     const Window& base = windows_[0];
@@ -410,11 +431,18 @@ class Tile {
       rows_[0] = {points + (base.stored_first - job.points_first) * static_cast<long>(job.stride), base.stored_first,
                   job.stride};
     }
-    for (std::size_t k = 1; k < levels; ++k) {
+    for (std::size_t k = 1; k < (segments_ > 0 ? cut_at_ + 1 : levels); ++k) {
       const Window& w = windows_[k];
       T* const to = scratch_ + at_[k] + static_cast<std::size_t>(w.first - w.stored_first) * width;
       one_step(job, k, w.first, w.computed(), width, to, width, false);
       fill(job, k, width);
+    }
+    if constexpr (is_vectorised<T>) {
+      if (segments_ > 0) {
+        run_segments(job, width, out);
+        if (job.stream) drain();
+        return;
+      }
     }
     if (direct_) {
       one_step(job, levels, first, static_cast<std::size_t>(last - first + 1), width, out, job.out_stride, job.stream);
@@ -448,6 +476,101 @@ class Tile {
     return last && job.levels->finish ? *job.levels->finish : job.levels->steps[job.levels->row(k)];
   }
 
+  // The last levels of a tile as equal segments side by side: then no register crosses a line, and rows need no
+  // interleaving. Segments are cut at multiples of 2^together rows, so their windows differ by a shift only.
+  void cut(const Job<T>& job, long first, long last, std::size_t width, const T* out) {
+    segments_ = 0;
+    if constexpr (is_vectorised<T>) {
+      const Plan& plan = *job.plan;
+      const std::size_t levels = plan.shapes.size();
+      const std::size_t segments = job.segments;
+      if (segments == 0 || job.together < 2 || job.out_stride != width || job.levels->finish) return;
+      const std::size_t together = std::min(levels, job.together);
+      rows_of_segment_ = (last - first + 1) / static_cast<long>(segments);
+      const long unit = std::max(64L, 1L << together);
+      if (first % 2 != 0 || (last - first + 1) % static_cast<long>(segments) != 0 || rows_of_segment_ % unit != 0)
+        return;
+      if (job.stream && reinterpret_cast<std::uintptr_t>(out) % 64 != 0) return;
+      for (const Window& w : windows_)
+        if (w.stored() != w.computed()) return;
+      cut_at_ = levels - together;
+      tile_windows(plan, job.boundary, first, first + rows_of_segment_ - 1, segment_windows_);
+      for (std::size_t k = cut_at_ + 1; k < levels; ++k)
+        if (segment_windows_[k].first % 2 != 0 || segment_windows_[k].last % 2 == 0) return;
+      segments_ = segments;
+    }
+  }
+
+  void run_segments(const Job<T>& job, std::size_t width, T* out) {
+    const std::size_t levels = job.plan->shapes.size();
+    const std::size_t wide = width * segments_;
+    // The level of the cut, gathered.
+    const Window& w = segment_windows_[cut_at_];
+    const Source& in = rows_[cut_at_];
+    const long shift = rows_of_segment_ >> (levels - cut_at_);
+    T* to = scratch_ + side_[cut_at_];
+    for (long j = w.first; j <= w.last; ++j, to += wide)
+      for (std::size_t l = 0; l < segments_; ++l) {
+        const T* from = in.data + static_cast<std::size_t>(j + static_cast<long>(l) * shift - in.first) * in.stride;
+        for (std::size_t c = 0; c < width; ++c) to[place_in_segments(segments_, l, c)] = from[c];
+      }
+    // Each level in small chunks, as far as the next one needs it: so that rows are written past the caches all the
+    // time. The last level but one takes the segments apart; the last one writes a chunk of each in turn.
+    done_.assign(levels, 0);
+    for (std::size_t k = cut_at_; k < levels; ++k) done_[k] = segment_windows_[k].first;
+    done_[cut_at_] = w.last + 1;
+    const Step<T>& last_step = step(job, levels - 1);
+    const long chunk = side_chunk(job, wide);
+    const Window& target = segment_windows_[levels];
+    const long before = segment_windows_[levels - 1].first;
+    for (long i = target.first; i <= target.last; i += chunk) {
+      const long end = std::min(target.last + 1, i + chunk);
+      reach(job, levels - 1, end, chunk, width);
+      for (std::size_t l = 0; l < segments_; ++l) {
+        const long row = static_cast<long>(l) * rows_of_segment_ + i - target.first;
+        last_step.whole_groups(apart_row(levels - 1, l, i / 2 - before, width), static_cast<std::size_t>(end - i) / 2,
+                               width, out + static_cast<std::size_t>(row) * width, job.stream);
+      }
+    }
+  }
+
+  // Row `row` of segment l of the last level but one.
+  T* apart_row(std::size_t k, std::size_t l, long row, std::size_t width) {
+    return scratch_ + side_[k] + l * room_apart(width) + static_cast<std::size_t>(row) * width;
+  }
+  std::size_t room_apart(std::size_t width) const {
+    return (segment_windows_[segment_windows_.size() - 2].computed() * width + 7) / 8 * 8;
+  }
+
+  static long side_chunk(const Job<T>& job, std::size_t wide) {
+    return std::max(64L, static_cast<long>(job.chunk_values / wide) / 64 * 64);
+  }
+
+  T* side_row(std::size_t k, long j, std::size_t wide) {
+    return scratch_ + side_[k] + (j - segment_windows_[k].first) * static_cast<long>(wide);
+  }
+
+  // Level k as far as the rows before `end` of level k+1 need it, and some more.
+  void reach(const Job<T>& job, std::size_t k, long end, long chunk, std::size_t width) {
+    const Window& w = segment_windows_[k];
+    const long need = std::min(w.last, (end - 1 - job.plan->shapes[k].lowest) >> 1) + 1;
+    if (done_[k] >= need) return;
+    const long from = done_[k];
+    const long to = std::min(w.last + 1, (std::max(need, from + chunk) + 63) / 64 * 64);
+    reach(job, k - 1, to, chunk, width);
+    const std::size_t wide = width * segments_;
+    const T* const in = side_row(k - 1, from / 2, wide);
+    const std::size_t groups = static_cast<std::size_t>(to - from) / 2;
+    if (k + 1 < job.plan->shapes.size()) {
+      step(job, k - 1).whole_groups(in, groups, wide, side_row(k, from, wide), false);
+    } else {
+      T* place[4] = {};
+      for (std::size_t l = 0; l < segments_; ++l) place[l] = apart_row(k, l, from - w.first, width);
+      step(job, k - 1).groups_apart(in, groups, width, segments_, place);
+    }
+    done_[k] = to;
+  }
+
   // Rows of the last level on their way past the caches: about chunk_values numbers, whole lines of the output.
   static long chunk_rows(const Job<T>& job, std::size_t width) {
     const std::size_t unit = 32 * static_cast<std::size_t>(job.plan->shapes.back().arity);
@@ -473,7 +596,14 @@ class Tile {
     std::size_t need = 0;
     const auto take = [&](std::size_t count) { return std::exchange(need, need + (count + line - 1) / line * line); };
     if (gathered_) at_[0] = take(base.stored() * width);
-    for (std::size_t k = 1; k < levels; ++k) at_[k] = take(windows_[k].stored() * width);
+    const std::size_t apart = segments_ > 0 ? cut_at_ + 1 : levels;  // levels before it lie as they are
+    for (std::size_t k = 1; k < apart; ++k) at_[k] = take(windows_[k].stored() * width);
+    if (segments_ > 0) {
+      side_.assign(levels, 0);
+      for (std::size_t k = cut_at_; k < levels; ++k)
+        side_[k] =
+            take(k + 1 == levels ? room_apart(width) * segments_ : segment_windows_[k].computed() * width * segments_);
+    }
     // The last level is written to its place directly, or by way of a chunk.
     direct_ = true;
     if constexpr (is_vectorised<T>) {
@@ -482,14 +612,14 @@ class Tile {
       const std::size_t in_stride = levels == 1 && !gathered_ ? job.stride : width;
       direct_ = !job.stream || (aligned && step(job, levels - 1).can_stream(width, in_stride, job.out_stride));
     }
-    stage_ = direct_ ? 0 : take(static_cast<std::size_t>(chunk_rows(job, width)) * width);
+    if (segments_ == 0 && !direct_) stage_ = take(static_cast<std::size_t>(chunk_rows(job, width)) * width);
     if (values_.size() < need + line) values_.resize(need + line, job.levels->zero);
     scratch_ = values_.data();
     if constexpr (is_vectorised<T>) {
       const std::uintptr_t past = reinterpret_cast<std::uintptr_t>(scratch_) % 64;
       scratch_ += (64 - past) % 64 / sizeof(T);
     }
-    for (std::size_t k = 1; k < levels; ++k) rows_[k] = {scratch_ + at_[k], windows_[k].stored_first, width};
+    for (std::size_t k = 1; k < apart; ++k) rows_[k] = {scratch_ + at_[k], windows_[k].stored_first, width};
   }
 
   void fill(const Job<T>& job, std::size_t k, std::size_t width) {
@@ -508,6 +638,11 @@ class Tile {
   std::size_t stage_ = 0;        // and a chunk of the last level
   bool direct_ = true;
   bool gathered_ = false;
+  std::size_t segments_ = 0;  // of this tile; 0: it is not cut
+  std::size_t cut_at_ = 0;    // the level from which on they lie side by side
+  long rows_of_segment_ = 0;
+  std::vector<Window> segment_windows_;  // of the first one
+  std::vector<std::size_t> side_;        // from scratch_, where level k of all segments begins
 };
 
 extern template class Tile<double>;
@@ -516,7 +651,8 @@ extern template class Tile<float>;
 // How the output is cut; for tests and measurements too. The bits do not depend on it.
 struct Cutting {
   std::size_t tile_values = 65536;   // numbers of the last level in a tile
-  std::size_t chunk_values = 512;    // numbers that are computed in the first cache before they are copied past it
+  std::size_t chunk_values = 2048;   // numbers of a level that are computed before the next one goes on
+  std::size_t together = 10;         // levels of several segments side by side
   std::size_t columns = 64;          // at most that wide
   std::size_t grain_rows = 100'000;  // rows for a thread, at least
   std::optional<bool> stream;        // past the caches; by default when the output is larger than half the last one
@@ -747,7 +883,13 @@ class Refiner {
     job.stream = cutting_.stream.value_or(out.size_bytes() > detail::streamed_from());
     Grid g{&job, &tiles_, first, last, 0, 0, dim, std::min(dim, cutting_.columns), 1};
     g.across = (dim + g.columns - 1) / g.columns;
-    const long unit = 64 * m;  // whole groups, whole lines
+    long unit = 64 * m;  // whole groups, whole lines
+    const std::size_t levels = plan_.shapes.size();
+    if (m == 2 && levels > 0 && !levels_.finish && dim <= g.columns) {
+      job.segments = detail::segments_of<T>(dim);
+      job.together = std::min(levels, cutting_.together);
+      unit = std::max(unit, std::max(64L, 1L << job.together) * static_cast<long>(job.segments));
+    }
     g.rows = unit * std::max(1L, static_cast<long>(cutting_.tile_values / g.columns) / unit);
     if (job.stream) {
       const auto begins_line = [&](long h) {

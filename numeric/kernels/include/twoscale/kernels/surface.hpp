@@ -52,6 +52,12 @@ class SurfaceRefiner {
  public:
   SurfaceRefiner(Refiner<T> u, Refiner<T> v) : u_(std::move(u)), v_(std::move(v)) {}
 
+  /// As Refiner::set_threads.
+  void set_threads(int threads) {
+    u_.set_threads(threads);
+    v_.set_threads(threads);
+  }
+
   /// What refining a grid of this size gives. Throws Error (bad_input) as Refiner::output does, for either direction.
   GridRange output(GridSize size, DirectionRun u, DirectionRun v) const {
     return {u_.output(size.rows, u.levels, u.boundary), v_.output(size.columns, v.levels, v.boundary)};

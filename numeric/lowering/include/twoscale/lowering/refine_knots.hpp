@@ -3,15 +3,23 @@
 #pragma once
 
 #include "twoscale/kernels/nonuniform.hpp"
+#include "twoscale/symbolic/scheme.hpp"
 
 namespace twoscale::lowering {
 
 // As kernels::refine_on_knots, but the numbers of `points` are read exactly from their texts, and every number of the
 // output has `digits` correct significant digits (tokens). Where the ratios of the knot intervals are rational (given,
 // uniform; equal lengths) everything is rational arithmetic; otherwise knots and points are enclosed in balls, and a
-// number that cannot be told from 0 with twice the digits becomes 0. Throws Error or kernels::Error (bad_input), also for
-// digits outside 17..10000; Error(undecided) if a digit could not be decided.
+// number that cannot be told from 0 with twice the digits becomes 0. Throws Error or kernels::Error (bad_input), also
+// for digits outside 17..10000; Error(undecided) if a digit could not be decided.
 kernels::PointSet refine_on_knots(const kernels::PointSet& points, kernels::KnotRule rule,
                                   const kernels::KnotOptions& options, long digits);
+
+// Any scheme on knots without edge parameters, by its weights: they are evaluated exactly at the doubles of the
+// interval ratios and rounded, once for every pattern of them; points are doubles. The columns are coordinates and `d`.
+// Slower than a kernel, and without its care for neighbouring points that nearly coincide. Throws Error or
+// kernels::Error (bad_input): columns lambda or tag, Boundary::space, intervals that are not positive, too few points.
+kernels::PointSet refine_by_weights(const Scheme& scheme, const kernels::PointSet& points,
+                                    const kernels::KnotOptions& options);
 
 }  // namespace twoscale::lowering
