@@ -5,6 +5,7 @@
 //   {arity, lowest, size, start, next, mask}    start(v0, ...), next(v, ...), mask(levels..., constants..., locals...)
 // Settings are numbers for its parameters, in the order of the evaluator:
 //   {levels: [v0, ...], constants: [...], locals: [{offsets, rest, values}, ...]}
+// Settings of a scheme on vertices with derivatives have `vertices` beside: [{p, r, sigma}, ...] (hermite2010).
 // A local parameter has one value an edge: an edge parameter (with `rest`, its value at edges that touch no vertex of
 // the data) or a knot interval (without; halved at every step, and taken from the points: centripetal).
 // Points are arrays of coordinates; all polygons are closed.
@@ -58,8 +59,38 @@ function centripetal(points) {
   return points.map((p, j) => Math.sqrt(Math.hypot(...p.map((x, c) => around(points, j + 1)[c] - x))));
 }
 
+// A vertex of hermite2010 with its angular parameter increased by 2 pi: the derivatives p, r in t = (1 + tan(sigma/4))/2
+// change so that those in sigma stay.
+function turned(vertex) {
+  const rates = (sigma) => {
+    const alpha = Math.tan(sigma / 4);
+    return [(1 + alpha * alpha) / 8, alpha * (1 + alpha * alpha) / 16];
+  };
+  const [before, bent] = rates(vertex.sigma), [after, bentAfter] = rates(vertex.sigma + 2 * Math.PI);
+  const p = vertex.p.map((x) => x * before / after);
+  const r = vertex.r.map((x, c) => (x * before * before + vertex.p[c] * bent - p[c] * bentAfter) / (after * after));
+  return {...vertex, p, r, sigma: vertex.sigma + 2 * Math.PI};
+}
+
+// In the middle of every edge, in sigma, a new vertex: a 3x6 matrix acts on f, f, p, p, r, r of its ends.
+function vertexStep(scheme, settings, vertices) {
+  return vertices.flatMap((left, i) => {
+    const right = i + 1 < vertices.length ? vertices[i + 1] : turned(vertices[0]);
+    const matrix = scheme.mask(...settings.constants, Math.tan(left.sigma / 8), Math.tan(right.sigma / 8));
+    const columns = [left.f, right.f, left.p, right.p, left.r, right.r];
+    const [f, p, r] = [0, 1, 2].map((row) => left.f.map((_, c) =>
+      columns.reduce((sum, column, k) => sum + matrix[6 * row + k] * column[c], 0)));
+    return [left, {f, p, r, sigma: (left.sigma + right.sigma) / 2}];
+  });
+}
+
 // `levels` steps from `points`. Where a value is singular, points are not finite.
 function refine(scheme, settings, points, levels) {
+  if (settings.vertices) {
+    let vertices = points.map((f, j) => ({...settings.vertices[j], f}));
+    for (let k = 0; k < levels; ++k) vertices = vertexStep(scheme, settings, vertices);
+    return vertices.map((v) => v.f);
+  }
   if (settings.locals.length > 0) {
     let locals = settings.locals.map((p) => ({...p, values: p.values || centripetal(points)}));
     for (let k = 0; k < levels; ++k) {
@@ -160,7 +191,7 @@ function scaleOf(p) {
   return {from: (s) => p.scale * tensionScale.from(s) + p.offset, to: (x) => tensionScale.to((x - p.offset) / p.scale)};
 }
 
-// Fills `root` for a scheme. config: {command, points, refinements, mostRefinements,
+// Fills `root` for a scheme. config: {command, points, vertices (or not: their p, r and sigma stay), refinements, mostRefinements,
 //   levels: [{name, label, value, low, high, fixed, scale, offset}], with value = scale*v^0 + offset,
 //   constants: [{name, label, value, low, high}], locals: [{name, label, offsets, rest, low, high}]}.
 function interactiveCurve(root, scheme, config) {
@@ -211,7 +242,7 @@ function interactiveCurve(root, scheme, config) {
   const combLength = control("comb", 0.5, linearScale(0, 1), redraw);
 
   function settings() {
-    return {levels: config.levels.map((p, i) => (levels[i].value - p.offset) / p.scale), constants: constants.map((c) => c.value),
+    return {vertices: config.vertices, levels: config.levels.map((p, i) => (levels[i].value - p.offset) / p.scale), constants: constants.map((c) => c.value),
       locals: config.locals.map((p, i) => ({offsets: p.offsets, rest: p.rest, values: edges[i]}))};
   }
 
@@ -245,7 +276,7 @@ function interactiveCurve(root, scheme, config) {
     const k = curvature(fine), n = normals(fine);
     const size = Math.min(view.width, view.height) / unit;
     const most = Math.max(...k.map(Math.abs), 1e-12);
-    const length = 0.35 * size * combLength.value / most;
+    const length = 0.22 * size * combLength.value / most;
     const tips = fine.map((p, i) => [p[0] + length * k[i] * n[i][0], p[1] + length * k[i] * n[i][1]]);
     const visible = combLength.value > 0 && fine.length > 0;
     comb.setAttribute("d", visible ? fine.map((p, i) => path([p, tips[i]], false)).join("") : "");
@@ -266,7 +297,7 @@ function interactiveCurve(root, scheme, config) {
     });
     circle.addEventListener("dblclick", (event) => {
       event.stopPropagation();
-      if (points.length <= 3) return;
+      if (points.length <= 3 || config.vertices) return;
       points.splice(index, 1);
       edges = edges.map((list) => list && list.filter((_, j) => j !== index));
       selected = Math.min(selected, points.length - 1);
@@ -301,6 +332,7 @@ function interactiveCurve(root, scheme, config) {
     draw();
   });
   svg.addEventListener("dblclick", (event) => {
+    if (config.vertices) return;
     const p = fromEvent(event), j = nearestEdge(p);
     points.splice(j + 1, 0, p);
     edges = edges.map((list) => list && [...list.slice(0, j + 1), list[j], ...list.slice(j + 1)]);
@@ -314,6 +346,9 @@ function interactiveCurve(root, scheme, config) {
   };
   // Edge parameters stand in the line of the point at which their edge begins.
   const csv = () => {
+    if (config.vertices)
+      return "fx,fy,px,py,rx,ry,sigma\n"
+        + points.map((f, j) => [...f, ...config.vertices[j].p, ...config.vertices[j].r, config.vertices[j].sigma] + "\n").join("");
     const names = config.locals.flatMap((p) => (p.rest === undefined ? [] : [p.name]));
     const values = edges.filter(Boolean);
     return [["x", "y", ...names], ...points.map((p, j) => [...p, ...values.map((list) => list[j])])]

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "twoscale/kernels/points_io.hpp"
 #include "twoscale/lowering/emit.hpp"
+#include "twoscale/lowering/refine_hermite.hpp"
 #include "twoscale/reports/html.hpp"
 
 namespace twoscale::reports {
@@ -81,12 +83,15 @@ bool can_be_interactive(const Scheme& scheme) {
   return scheme.block == 1 && (is_uniform(scheme) || !scheme.kernel.empty());
 }
 
-std::string interactive_html(Part& part, const Scheme& scheme, const lowering::Binding& binding,
-                             const Interactive& what) {
+namespace {
+
+std::string drawn(Part& part, const Scheme& scheme, const lowering::Binding& binding, const Interactive& what,
+                  const Json& vertices) {
   Json config{{"command", "twoscale refine " + what.name}};
   config["points"] = Json::array();
   for (std::size_t i = 0; i + 1 < what.points.size(); i += 2)
     config["points"].push_back({what.points[i], what.points[i + 1]});
+  if (!vertices.empty()) config["vertices"] = vertices;
   config["levels"] = config["constants"] = config["locals"] = Json::array();
   for (const Parameter& p : scheme.parameters) switch (p.scope) {
       case Parameter::Scope::level:
@@ -95,7 +100,9 @@ std::string interactive_html(Part& part, const Scheme& scheme, const lowering::B
       case Parameter::Scope::constant:
         config["constants"].push_back(constant(p, number(binding.constants.at(p.name))));
         break;
-      case Parameter::Scope::local: config["locals"].push_back(local(p)); break;
+      case Parameter::Scope::local:
+        if (vertices.empty()) config["locals"].push_back(local(p));
+        break;
     }
   const auto levels_for = [&](int count) {
     return std::max(
@@ -113,11 +120,33 @@ std::string interactive_html(Part& part, const Scheme& scheme, const lowering::B
          script(lowering::emit_evaluator(scheme, lowering::Language::javascript, {id, {}})) +
          script("document.addEventListener(\"DOMContentLoaded\", () => interactiveCurve(document.getElementById(\"" +
                 id + "\"),\n  {" + object + "},\n  " + in_script(config) + "));\n") +
-         "<p class=\"small\">Drag the points, or move them with the arrow keys; a double click on an edge adds a "
-         "point, on "
-         "a point removes it. The curve is computed in this page, in double precision, by the evaluator that "
-         "<code>twoscale table " +
+         "<p class=\"small\">Drag the points, or move them with the arrow keys; " +
+         (vertices.empty() ? "a double click on an edge adds a point, on a point removes it"
+                           : "the derivatives at the points and their σ stay") +
+         ". The curve is computed in this page, in double precision, by the evaluator that <code>twoscale table " +
          escaped(what.name) + " --evaluator --format javascript</code> prints.</p>\n";
+}
+
+}  // namespace
+
+std::string interactive_html(Part& part, const Scheme& scheme, const lowering::Binding& binding,
+                             const Interactive& what) {
+  return drawn(part, scheme, binding, what, Json::array());
+}
+
+std::string interactive_vertices_html(Part& part, const Scheme& scheme, const Interactive& what) {
+  kernels::PointSet points;
+  points.columns = kernels::default_columns(2);
+  points.dim = 2;
+  points.values = what.points;
+  const kernels::PointSet found =
+      lowering::refine_hermite(scheme, std::nullopt, points, {0, true, 0, true}).points;  // f, p, r, sigma
+  Json vertices = Json::array();
+  for (std::size_t j = 0; j < found.size(); ++j) {
+    const double* v = &found.values[j * found.dim];
+    vertices.push_back({{"p", {v[2], v[3]}}, {"r", {v[4], v[5]}}, {"sigma", v[6]}});
+  }
+  return drawn(part, scheme, lowering::bind(scheme, std::nullopt, std::nullopt, {}), what, vertices);
 }
 
 }  // namespace twoscale::reports

@@ -26,4 +26,7 @@ bool can_be_interactive(const Scheme& scheme);
 std::string interactive_html(Part& part, const Scheme& scheme, const lowering::Binding& binding,
                              const Interactive& what);
 
+// The same for a scheme on vertices with derivatives (hermite2010): p, r and sigma are found from the points, and stay.
+std::string interactive_vertices_html(Part& part, const Scheme& scheme, const Interactive& what);
+
 }  // namespace twoscale::reports

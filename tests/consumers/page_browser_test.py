@@ -158,6 +158,12 @@ class Pages(FilesTest):
         self.assertEqual(self.browser.complaints(), [])
         self.check_formulas()
         self.check_images()
+        # A button copies a block of text, commands without their prompts.
+        self.browser.evaluate("navigator.clipboard.writeText = async (text) => { window.copied = text; }")
+        self.browser.evaluate("""[...document.querySelectorAll("#masks .copied")].filter((c) => c.querySelector(".prompt"))[0]
+            .querySelector("button").click()""")
+        self.assertEqual(self.browser.evaluate("window.copied"), "twoscale table tension4 --v0=2 --levels 6\n")
+        self.assertIn("k,index,value", self.browser.evaluate('document.querySelector("#masks").textContent'))
         # Every control changes the curve.
         start = self.curve()
         self.assertGreater(start.count("L"), 100)

@@ -31,10 +31,10 @@ console.log(JSON.stringify({config, results: input.cases.map((c) => {
   const used = {...scheme, mask: (...values) => scheme.mask(...values).map((x, i) =>
     c.wrong && c.wrong.index === i ? x + c.wrong.by : x)};
   const settings = {levels: c.levels.map((x, i) => (x - config.levels[i].offset) / config.levels[i].scale),
-    constants: c.constants, locals: config.locals.map((p) => ({...p, values: c.edges && p.rest !== undefined ? c.edges : undefined}))};
+    vertices: config.vertices, constants: c.constants, locals: config.locals.map((p) => ({...p, values: c.edges && p.rest !== undefined ? c.edges : undefined}))};
   const v = scheme.start(...settings.levels);
   return {points: refine(used, settings, config.points, c.refinements),
-    weight: config.locals.length > 0 ? 4 : scheme.mask(...v, ...settings.constants).reduce((s, x) => s + Math.abs(x), 0),
+    weight: config.locals.length > 0 || config.vertices ? 4 : scheme.mask(...v, ...settings.constants).reduce((s, x) => s + Math.abs(x), 0),
     size: scheme.size};
 })}));
 """
@@ -107,6 +107,20 @@ class PageScript(FilesTest):
                 self.assertLess(self.largest_excess(found["results"][0], theirs, 3, both=True), 1)
                 self.assertGreater(self.largest_excess(found["results"][1], theirs, 3, both=True), 1,
                                    "a wrong coefficient is not seen")
+
+    def test_vertices_with_derivatives(self):
+        scripts = self.scripts("hermite2010")
+        for w in ("1", "1.25", "0.5"):
+            case = {"levels": [], "constants": [float(w)], "refinements": 4}
+            found = self.node(scripts, [case, {**case, "wrong": {"index": 2, "by": 1e-9}}])
+            config = found["config"]
+            lines = ["fx,fy,px,py,rx,ry,sigma"] + [
+                ",".join(map(repr, [*f, *v["p"], *v["r"], v["sigma"]])) for f, v in zip(config["points"], config["vertices"])]
+            text = self.twoscale("refine", "hermite-circle", "--at", f"w={w}", "--levels", 4, "--format", "csv",
+                                 self.path("v.csv", "\n".join(lines) + "\n"))
+            theirs = [[Fraction(row["fx"]), Fraction(row["fy"])] for row in csv.DictReader(io.StringIO(text))]
+            self.assertLess(self.largest_excess(found["results"][0], theirs, 4, both=True), 1)
+            self.assertGreater(self.largest_excess(found["results"][1], theirs, 4, both=True), 1)
 
     def test_singular_values_are_not_finite(self):
         scripts = self.scripts("interpolating:family=harmonic,l=3")

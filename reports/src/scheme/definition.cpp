@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sections.hpp"
+#include "twoscale/kernels/export/table_writer.hpp"
 #include "twoscale/reports/derivation.hpp"
 #include "twoscale/reports/html.hpp"
 
@@ -170,6 +171,9 @@ Part masks(const Subject& s) {
     part.html += "</tr>\n";
   }
   part.html += "</tbody></table></div>\n";
+  for (const auto& [format, title] : {std::pair("csv", "CSV"), std::pair("json", "JSON")})
+    part.html += std::string("<details><summary>The same as ") + title + "</summary><pre>" +
+                 escaped(kernels::write_table(t, format)) + "</pre></details>\n";
   if (rows)
     part.html += fmt::format("<p>From level {} on no coefficient is farther than {} from the limit.</p>\n", t.tail_from,
                              escaped(t.tail_bound));
