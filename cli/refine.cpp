@@ -13,6 +13,7 @@
 #include "twoscale/lowering/refine_points.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/sampled_scheme.hpp"
 
 namespace twoscale::cli {
 
@@ -38,7 +39,8 @@ struct Options {
 };
 
 // Schemes with local parameters: knots and edge parameters come with the points.
-int run_on_knots(const Options& o, const Common& common, const Scheme& s, kernels::PointFormat format) {
+int run_on_knots(const Options& o, const Common& common, const Scheme& s, const std::optional<SampledScheme>& sampled,
+                 kernels::PointFormat format) {
   if (o.values.v0 || o.values.t || !o.values.at.empty())
     bad_input("the parameters of this scheme come with the points (columns lambda, d, tag), not from options", s.id);
   if (o.tensor.any()) bad_input("--tensor is not there for schemes on knots", s.id);
@@ -47,15 +49,20 @@ int run_on_knots(const Options& o, const Common& common, const Scheme& s, kernel
   if (!o.open.empty()) knots.boundary = kernels::parse_boundary(o.open);
   knots.parametrization = kernels::parse_parametrization(o.parametrization.value_or("centripetal"));
   knots.reparametrize = o.reparametrize;
-  const auto rule = kernels::find_knot_rule(s.kernel);
-  if (!rule && o.digits != 0) bad_input("--digits is there for lagrange4, nuli4 and nuli6, and uniform schemes", s.id);
+  if (sampled && o.digits != 0)
+    bad_input("--digits is there for lagrange4, nuli4 and nuli6, and uniform schemes", s.id);
   const kernels::PointSet in = kernels::read_points(o.input);
   if (!o.parametrization && !o.reparametrize &&
       std::find(in.columns.begin(), in.columns.end(), "d") != in.columns.end())
     knots.parametrization = kernels::Parametrization::given;
-  const kernels::PointSet out = !rule           ? lowering::refine_by_weights(s, in, knots)
-                                : o.digits == 0 ? kernels::refine_on_knots(in, *rule, knots)
-                                                : lowering::refine_on_knots(in, *rule, knots, o.digits);
+  kernels::PointSet out;
+  if (sampled) {
+    out = lowering::refine_by_weights(*sampled, in, knots);
+  } else {
+    const kernels::KnotRule rule = kernels::parse_knot_rule(s.kernel);
+    out = o.digits == 0 ? kernels::refine_on_knots(in, rule, knots)
+                        : lowering::refine_on_knots(in, rule, knots, o.digits);
+  }
   const bool closed = knots.boundary == kernels::Boundary::closed;
   kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));
   return 0;
@@ -81,14 +88,15 @@ int run(const Options& o, const Common& common) {
   const std::string target = common.format == "text" ? common.output : "." + common.format;
   const kernels::PointFormat format = kernels::point_format(target);
   if (!o.open.empty()) open_rule("--open", o.open);
-  const Scheme s = make_scheme(o.scheme);
+  const auto sampled = sampled_scheme(o.scheme);
+  const Scheme s = sampled ? sampled->outline() : make_scheme(o.scheme);
   if (s.kernel.empty() && (o.parametrization || o.reparametrize))
     bad_input("--parametrization and --reparametrize are for schemes on knots (nuli4, nuli6, lagrange4)", s.id);
   if (s.block == 1 && o.jets) bad_input("--jets is for schemes of vertices with derivatives", s.id);
   if (o.extras() && (!s.kernel.empty() || s.block > 1))
     bad_input("--limit, --with and --chord are for schemes with one mask a level", s.id);
   if (!o.with.empty() && !o.limit) bad_input("--with belongs to --limit", o.with.front());
-  if (!s.kernel.empty()) return run_on_knots(o, common, s, format);
+  if (!s.kernel.empty()) return run_on_knots(o, common, s, sampled, format);
   if (s.block > 1)
     return refine_hermite_file(s, o.values, o.input, {o.levels, o.open.empty(), o.digits, o.jets}, format, common);
   const bool values = o.values.v0 || o.values.t || !o.values.at.empty();

@@ -6,6 +6,7 @@
 #include "session.hpp"
 #include "twoscale/reports/derivation.hpp"
 #include "twoscale/symbolic/catalog.hpp"
+#include "twoscale/symbolic/sampled_scheme.hpp"
 
 namespace twoscale::cli {
 
@@ -89,7 +90,7 @@ std::string names_of(const Parameter& p) {
   return names;
 }
 
-std::string show_local_text(const Scheme& s) {
+std::string local_head_text(const Scheme& s) {
   std::ostringstream out;
   out << s.id << ": " << s.title << "\n";
   if (!s.source.empty()) out << "source     " << s.source << "\n";
@@ -102,13 +103,36 @@ std::string show_local_text(const Scheme& s) {
           << p.offsets.back() << "\n";
     else
       out << "parameter  " << p.name << "\n";
+  return out.str();
+}
+
+std::string show_local_text(const Scheme& s) {
+  std::string out = local_head_text(s);
   for (const auto& piece : pieces_of(s)) {
-    if (!piece.where.empty()) out << "piece      " << piece.where << "\n";
+    if (!piece.where.empty()) out += "piece      " + piece.where + "\n";
     Scheme one = s;
     one.phases = *piece.phases;
-    for (size_t r = 0; r < one.phases.size(); ++r) out << "rule       " << rule(one, r) << "\n";
+    for (size_t r = 0; r < one.phases.size(); ++r) out += "rule       " + rule(one, r) + "\n";
   }
-  return out.str();
+  return out;
+}
+
+// What of a sampled rule is there as a function, and what at numbers only.
+std::string at_rest(const SampledScheme& s) { return "all lambda = " + s.rest.to_string(); }
+
+std::string show_sampled_text(const SampledScheme& s) {
+  const Scheme outline = s.outline();
+  std::string out = local_head_text(outline);
+  out +=
+      "points     p_{j" + std::to_string(s.lowest()) + "} .. p_{j+" + std::to_string(s.highest()) + "} for p_{2j+1}\n";
+  for (const auto& c : outline.claims)
+    if (c.name == "reproduces") out += "reproduces " + c.subject + "\n";
+  out += "numbers    exact weights at any intervals and edge parameters (stencil --at, spectrum --at, refine)\n";
+  if (!s.symbolic()) return out + "symbols    not written out for this order\n";
+  const Scheme rules = make_scheme(s.id);
+  out += "symbols    where " + at_rest(s) + "\n";
+  for (size_t r = 0; r < rules.phases.size(); ++r) out += "rule       " + rule(rules, r) + "\n";
+  return out;
 }
 
 Json head_json(const Scheme& s) {
@@ -123,7 +147,7 @@ Json head_json(const Scheme& s) {
   return j;
 }
 
-std::string show_local_json(const Scheme& s) {
+Json show_local_json(const Scheme& s) {
   Json j = head_json(s);
   Json local = Json::object();
   for (const auto& p : s.parameters)
@@ -142,6 +166,17 @@ std::string show_local_json(const Scheme& s) {
     pieces.push_back(Json::object({{"where", piece.where}, {"phases", phases}}));
   }
   j["pieces"] = pieces;
+  return j;
+}
+
+std::string show_sampled_json(const SampledScheme& s) {
+  Json j = show_local_json(s.outline());
+  j["points"] = {s.lowest(), s.highest()};
+  j["pieces"] = Json::array();  // at numbers only
+  if (s.symbolic()) {
+    j["pieces"] = show_local_json(make_scheme(s.id))["pieces"];
+    j["pieces"][0]["where"] = at_rest(s);
+  }
   return j.dump(1);
 }
 
@@ -238,12 +273,17 @@ void add_show_command(CLI::App& app, Session& session) {
   c->add_option("scheme", *name, "scheme name")->required()->type_name("SCHEME");
   c->callback([&session, name] {
     session.action = [&session, name] {
-      const Scheme s = make_scheme(*name);
-      if (!s.pieces.empty() || !s.kernel.empty()) {
-        deliver(session.common, session.common.format == "json" ? show_local_json(s) : show_local_text(s));
+      const bool json = session.common.format == "json";
+      if (const auto sampled = sampled_scheme(*name)) {
+        deliver(session.common, json ? show_sampled_json(*sampled) : show_sampled_text(*sampled));
         return 0;
       }
-      deliver(session.common, session.common.format == "json" ? show_json(s) : show_text(s));
+      const Scheme s = make_scheme(*name);
+      if (!s.pieces.empty() || !s.kernel.empty()) {
+        deliver(session.common, json ? show_local_json(s).dump(1) : show_local_text(s));
+        return 0;
+      }
+      deliver(session.common, json ? show_json(s) : show_text(s));
       return 0;
     };
   });

@@ -14,6 +14,7 @@
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
+#include "twoscale/symbolic/sampled_scheme.hpp"
 
 namespace twoscale::cli {
 
@@ -294,13 +295,28 @@ std::string hermite_spectrum(const Scheme& given, const Values& at, bool json) {
   return out + (condition.consistent ? "consistent: derivatives of one parameter\n" : "not consistent\n");
 }
 
-// `spectrum` of a scheme on knots: alpha (a variable if not given) and the two edge parameters at the junction. An edge
-// parameter that is a variable, or an expression in one, gives one answer for each side of 1/2 of the variable.
-std::vector<std::pair<Place, Spectrum>> junction_spectra(const Scheme& scheme, const Values& at) {
+// What belongs to a junction: alpha (a variable if not given) and the two values of the edge parameter, which are at
+// rest if they are not given.
+struct JunctionValues {
   RationalFunction alpha = RationalFunction::variable("alpha");
-  std::map<std::string, std::vector<RationalFunction>> edges;
-  for (const auto& p : scheme.parameters)
-    if (p.rest) edges[p.name] = {*p.rest, *p.rest};
+  std::string edge;  // name of the edge parameter; empty: there is none
+  std::vector<RationalFunction> lambda = std::vector<RationalFunction>(2, Rational(1, 2));
+
+  Place place() const {
+    Place p{"junction", "junction", {{"alpha", alpha.to_string()}}};
+    if (!edge.empty()) p.values.emplace_back(edge, "[" + lambda[0].to_string() + ", " + lambda[1].to_string() + "]");
+    return p;
+  }
+};
+
+JunctionValues junction_values(const Scheme& scheme, const Values& at) {
+  JunctionValues r;
+  for (const auto& p : scheme.parameters) {
+    if (!p.rest) continue;
+    if (!r.edge.empty()) bad_input("this scheme has more than one edge parameter", scheme.id);
+    r.edge = p.name;
+    r.lambda = {*p.rest, *p.rest};
+  }
   std::vector<std::string> seen;
   for (const auto& [name, text] : at.named()) {
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) bad_input("--at: a value is given twice", name);
@@ -315,26 +331,28 @@ std::vector<std::pair<Place, Spectrum>> junction_spectra(const Scheme& scheme, c
       bad_input("--at: " + name + " takes " + std::to_string(count) + " value" + (count == 1 ? "" : "s"), text);
     if (name == "alpha") {
       if (const auto c = list[0].constant(); c && c->sign() <= 0) bad_input("--at: alpha must be positive", text);
-      alpha = list[0];
+      r.alpha = list[0];
     } else {
       for (const auto& v : list) check_local_value(scheme, *parameter, v);
-      edges[name] = std::move(list);
+      r.lambda = std::move(list);
     }
   }
-  if (edges.size() > 1) bad_input("this scheme has more than one edge parameter", scheme.id);
-  const std::vector<RationalFunction> lambda =
-      edges.empty() ? std::vector<RationalFunction>(2, Rational(1, 2)) : edges.begin()->second;
+  return r;
+}
+
+// `spectrum` of a scheme on knots. An edge parameter that is a variable, or an expression in one, gives one answer for
+// each side of 1/2 of the variable.
+std::vector<std::pair<Place, Spectrum>> junction_spectra(const Scheme& scheme, const JunctionValues& given) {
+  const auto& [alpha, edge, lambda] = given;
   std::vector<std::string> variables;
   for (const auto& l : lambda)
     for (const auto& v : l.variables())
       if (std::find(variables.begin(), variables.end(), v) == variables.end()) variables.push_back(v);
-  if (variables.size() > 2) bad_input("--at: the edge parameters have more than two variables", at.at.front());
+  if (variables.size() > 2) bad_input("--at: the edge parameters have more than two variables", variables.back());
 
   std::vector<std::pair<Place, Spectrum>> all;
   for (unsigned branch = 0; branch < (1U << variables.size()); ++branch) {
-    Place place{"junction", "junction", {{"alpha", alpha.to_string()}}};
-    if (!edges.empty())
-      place.values.emplace_back(edges.begin()->first, "[" + lambda[0].to_string() + ", " + lambda[1].to_string() + "]");
+    Place place = given.place();
     std::map<std::string, Rational> sample;
     for (std::size_t v = 0; v < variables.size(); ++v) {
       const bool upper = (branch >> v & 1U) != 0;
@@ -347,6 +365,19 @@ std::vector<std::pair<Place, Spectrum>> junction_spectra(const Scheme& scheme, c
                      analysis::spectrum(analysis::junction(scheme, alpha, lambda[0], lambda[1], sample)));
   }
   return all;
+}
+
+// The same of a sampled rule: at numbers; with alpha a symbol as make_scheme has it, the edge parameters being at rest.
+std::vector<std::pair<Place, Spectrum>> sampled_spectra(const SampledScheme& scheme, const Values& at) {
+  const JunctionValues given = junction_values(scheme.outline(), at);
+  const auto alpha = given.alpha.constant(), left = given.lambda[0].constant(), right = given.lambda[1].constant();
+  if (alpha && left && right)
+    return {{given.place(), analysis::spectrum(analysis::junction(scheme, *alpha, *left, *right))}};
+  const bool rest = left == scheme.rest && right == scheme.rest;
+  if (!rest || !scheme.symbolic())
+    bad_input("--at: numbers are needed for alpha" + std::string(rest ? "" : " and lambda") + " of " + scheme.id,
+              alpha ? given.lambda[left ? 1 : 0].to_string() : given.alpha.to_string());
+  return junction_spectra(make_scheme(scheme.id), {given.alpha, {}, given.lambda});
 }
 
 }  // namespace
@@ -402,17 +433,20 @@ void add_spectrum_command(CLI::App& app, Session& session) {
       ->take_all();
   c->callback([&session, name, values] {
     session.action = [&session, name, values] {
-      const Scheme scheme = make_scheme(*name);
+      const auto sampled = sampled_scheme(*name);
+      const Scheme scheme = sampled ? sampled->outline() : make_scheme(*name);
       if (scheme.block > 1) {
         deliver(session.common, hermite_spectrum(scheme, *values, session.common.format == "json"));
         return 0;
       }
       std::vector<std::pair<Place, Spectrum>> all;
-      if (scheme.kernel.empty()) {
+      if (sampled) {
+        all = sampled_spectra(*sampled, *values);
+      } else if (scheme.kernel.empty()) {
         const ChosenMask chosen = chosen_mask(scheme, *values);
         all.emplace_back(place_of(scheme, chosen), analysis::spectrum(chosen.mask, scheme.arity));
       } else {
-        all = junction_spectra(scheme, *values);
+        all = junction_spectra(scheme, junction_values(scheme, *values));
       }
       if (session.common.format == "json") {
         Json j = to_json(scheme, all[0].first, all[0].second);

@@ -9,6 +9,7 @@
 #include "session.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/sampled_scheme.hpp"
 
 namespace twoscale::cli {
 
@@ -23,6 +24,29 @@ std::vector<std::vector<std::string>> matrix_of(const Stencil& stencil, size_t b
     for (size_t order = 0; order < block; ++order)
       for (const auto& b : stencil.blocks) matrix[row].push_back(b[row * block + order].to_string());
   return matrix;
+}
+
+// The rule at numbers; with intervals that are symbols as make_scheme has it, the edge parameters being at rest.
+Stencil sampled_stencil(const SampledScheme& s, const LocalValues& at) {
+  std::vector<std::vector<Rational>> numbers;  // d, lambda
+  std::string symbol;
+  for (const auto& [name, list] : at.given) {
+    numbers.emplace_back();
+    for (const auto& v : list)
+      if (const auto c = v.constant())
+        numbers.back().push_back(*c);
+      else
+        symbol = v.to_string();
+  }
+  if (!symbol.empty()) {
+    const bool rest = numbers[1] == std::vector<Rational>(at.given[1].second.size(), s.rest);
+    if (!rest || !s.symbolic())
+      bad_input("--at: numbers are needed for " + s.id + (rest ? "" : " with lambda"), symbol);
+    return phases_at(make_scheme(s.id), at.values)[1];
+  }
+  Stencil stencil{s.lowest(), {}};
+  for (const auto& w : s.weights(numbers[0], numbers[1])) stencil.blocks.push_back({w});
+  return stencil;
 }
 
 std::string to_json(const Scheme& s, const LocalValues& at, const Stencil& stencil) {
@@ -89,11 +113,12 @@ void add_stencil_command(CLI::App& app, Session& session) {
       ->allow_extra_args(false);
   c->callback([&session, name, values] {
     session.action = [&session, name, values] {
-      const Scheme scheme = make_scheme(*name);
+      const auto sampled = sampled_scheme(*name);
+      const Scheme scheme = sampled ? sampled->outline() : make_scheme(*name);
       if (scheme.arity != 2)
         bad_input("an edge of this scheme has more than one new point (show prints its rules)", scheme.id);
       const LocalValues at = local_values(scheme, values->named());
-      const Stencil stencil = phases_at(scheme, at.values)[1];
+      const Stencil stencil = sampled ? sampled_stencil(*sampled, at) : phases_at(scheme, at.values)[1];
       deliver(session.common,
               session.common.format == "json" ? to_json(scheme, at, stencil) : to_text(scheme, at, stencil));
       return 0;

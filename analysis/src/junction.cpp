@@ -56,16 +56,18 @@ Stencil stencil_at(const Scheme& scheme, const Values& values, const std::map<st
   return s;
 }
 
-}  // namespace
+// Value of a local parameter at an edge: those of the edges -1 and 0 are inherited, intervals are 1 left of the vertex.
+RationalFunction value_at(const Parameter& p, long edge, const RationalFunction& alpha, const RationalFunction& left,
+                          const RationalFunction& right) {
+  if (!p.rest) return edge >= 0 ? alpha : RationalFunction(1);
+  return edge == -1 ? left : edge == 0 ? right : RationalFunction(*p.rest);
+}
 
-Junction junction(const Scheme& scheme, const RationalFunction& alpha, const RationalFunction& left,
-                  const RationalFunction& right, const std::map<std::string, Rational>& sample) {
-  if (is_uniform(scheme) || scheme.block != 1 || scheme.arity != 2)
-    bad_input("this scheme has no rules on knots, so no junction", scheme.id);
-  const auto& odd = scheme.phases[1];
+// rule(edge): the stencil of the new point of the edge, all from lowest to highest.
+template <class Rule>
+Junction assembled(long lowest, long highest, const RationalFunction& alpha, const Rule& rule) {
   // f_{2j+1} reads j + lowest .. j + highest: the points -h..h suffice for themselves.
-  const long highest = odd.lowest + static_cast<long>(odd.blocks.size()) - 1;
-  const long h = std::max(1 - 2 * odd.lowest, 2 * highest - 1);
+  const long h = std::max(1 - 2 * lowest, 2 * highest - 1);
   Junction r;
   r.matrix.lowest = -h;
   const auto size = static_cast<std::size_t>(2 * h + 1);
@@ -78,17 +80,7 @@ Junction junction(const Scheme& scheme, const RationalFunction& alpha, const Rat
       continue;
     }
     const long edge = (i - 1) / 2 - (i < 0 && (i - 1) % 2 != 0 ? 1 : 0);
-    Values values;
-    for (const auto& p : scheme.parameters)
-      for (const long offset : p.offsets) {
-        const long e = edge + offset;
-        const RationalFunction value = p.rest ? (e == -1  ? left
-                                                 : e == 0 ? right
-                                                          : RationalFunction(*p.rest))
-                                              : (e >= 0 ? alpha : RationalFunction(1));
-        values.emplace_back(local_name(p.name, offset), value);
-      }
-    const Stencil s = stencil_at(scheme, values, sample);
+    const Stencil s = rule(edge);
     for (std::size_t c = 0; c < s.blocks.size(); ++c) {
       const long column = edge + s.lowest + static_cast<long>(c);
       if (!s.blocks[c][0].is_zero()) r.matrix.entries(row, static_cast<std::size_t>(column + h)) = s.blocks[c][0];
@@ -104,6 +96,39 @@ Junction junction(const Scheme& scheme, const RationalFunction& alpha, const Rat
     if (kept) ++r.order;
   }
   return r;
+}
+
+}  // namespace
+
+Junction junction(const Scheme& scheme, const RationalFunction& alpha, const RationalFunction& left,
+                  const RationalFunction& right, const std::map<std::string, Rational>& sample) {
+  if (is_uniform(scheme) || scheme.block != 1 || scheme.arity != 2)
+    bad_input("this scheme has no rules on knots, so no junction", scheme.id);
+  const auto& odd = scheme.phases[1];
+  const long highest = odd.lowest + static_cast<long>(odd.blocks.size()) - 1;
+  return assembled(odd.lowest, highest, alpha, [&](long edge) {
+    Values values;
+    for (const auto& p : scheme.parameters)
+      for (const long offset : p.offsets)
+        values.emplace_back(local_name(p.name, offset), value_at(p, edge + offset, alpha, left, right));
+    return stencil_at(scheme, values, sample);
+  });
+}
+
+Junction junction(const SampledScheme& scheme, const Rational& alpha, const Rational& left, const Rational& right) {
+  if (alpha.sign() <= 0) bad_input("the ratio of the intervals must be positive", alpha.to_string());
+  const Scheme outline = scheme.outline();
+  return assembled(scheme.lowest(), scheme.highest(), alpha, [&](long edge) {
+    std::vector<std::vector<Rational>> numbers;  // d, lambda
+    for (const auto& p : outline.parameters) {
+      numbers.emplace_back();
+      for (const long offset : p.offsets)
+        numbers.back().push_back(*value_at(p, edge + offset, alpha, left, right).constant());
+    }
+    Stencil s{scheme.lowest(), {}};
+    for (const auto& w : scheme.weights(numbers[0], numbers[1])) s.blocks.push_back({w});
+    return s;
+  });
 }
 
 Spectrum spectrum(const Junction& j) { return spectrum(j.matrix, 2, j.knots, j.order); }

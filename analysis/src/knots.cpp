@@ -328,6 +328,8 @@ Decision decide_smoothness(const Scheme& scheme, const Scheme& uniform, long l, 
   e["verdict"] = "proved";
   e["order"] = l;
   e["sum_rules"] = (*radius)["order"];
+  // The only exception that a proof leaves is the crease.
+  e["parameters"] = d.verdict != Verdict::proved ? "claims" : d.exceptions.empty() ? "all" : "all-but-crease";
   e["theorem"] = "piecewise-uniform";
   d.supporting.push_back(std::move(e));
   return d;

@@ -105,10 +105,7 @@ const std::vector<CatalogEntry>& catalog() {
   return list;
 }
 
-Scheme make_scheme(std::string_view text) {
-  if (const auto file = scheme_path(text))
-    return families::scheme_of_file(SchemeFile::load(file->first), parse_scheme_name("file" + file->second));
-  const SchemeName name = parse_scheme_name(text);
+const CatalogEntry& families::entry_of(const SchemeName& name) {
   const auto& list = catalog();
   const auto entry = std::find_if(list.begin(), list.end(), [&](const auto& e) { return e.id == name.id; });
   if (entry == list.end())
@@ -118,7 +115,14 @@ Scheme make_scheme(std::string_view text) {
       bad_input(name.id + ": unknown key", key);
   for (const auto& k : entry->keys)
     if (k.required && !name.keys.contains(k.name)) bad_input(name.id + ": key is missing", k.name);
-  return entry->recipe(name);
+  return *entry;
+}
+
+Scheme make_scheme(std::string_view text) {
+  if (const auto file = scheme_path(text))
+    return families::scheme_of_file(SchemeFile::load(file->first), parse_scheme_name("file" + file->second));
+  const SchemeName name = parse_scheme_name(text);
+  return families::entry_of(name).recipe(name);
 }
 
 Space family_space(const std::string& family, unsigned n) {

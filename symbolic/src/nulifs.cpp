@@ -2,6 +2,7 @@
 #include "twoscale/symbolic/nulifs.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -18,7 +19,8 @@ T quotient_or_zero(const T& a, const T& b) {
   return b.is_zero() ? T(0) : a / b;
 }
 
-// The spline of one data set f(x_i) = delta_{i,centre}, through the coefficients of its B-splines.
+// The splines of the data sets f(x_i) = delta_{i,centre}, through the coefficients of their B-splines. One object is
+// for one point x (piece, values): what does not depend on the centre is computed once.
 template <class T>
 class Splines {
  public:
@@ -43,10 +45,10 @@ class Splines {
   T fundamental(long i, long piece, const std::vector<T>& values) const {
     if (f_.order == 3) return quasi_interpolant(i, piece, values);
     T sum = quasi_interpolant(i, piece, values);
-    if (const T own = local(i, piece, values); !own.is_zero()) sum += own;
+    if (const T& own = local(i, piece, values); !own.is_zero()) sum += own;
     for (long k = 1; k <= static_cast<long>(f_.order / 2 + f_.reproduction) - 1; ++k) {
       const long q = i - sigma_ + k;
-      const T l = local(q, piece, values);
+      const T& l = local(q, piece, values);
       if (!l.is_zero()) sum -= quasi_interpolant(i, vertex_piece(q), vertex_values(q)) * l;
     }
     return sum;
@@ -121,7 +123,11 @@ class Splines {
     while ((t_(piece + 1) - t_(piece)).is_zero()) ++piece;
     return piece;
   }
-  std::vector<T> vertex_values(long q) const { return bspline_values(t_, f_.order, t_.x(q), vertex_piece(q)); }
+  const std::vector<T>& vertex_values(long q) const {
+    const auto known = vertex_values_.find(q);
+    if (known != vertex_values_.end()) return known->second;
+    return vertex_values_.emplace(q, bspline_values(t_, f_.order, t_.x(q), vertex_piece(q))).first->second;
+  }
   static T value_of(long m, long piece, const std::vector<T>& values) {
     const long r = m - piece + static_cast<long>(values.size()) - 1;
     return r < 0 || r >= static_cast<long>(values.size()) ? T(0) : values[static_cast<std::size_t>(r)];
@@ -129,7 +135,12 @@ class Splines {
 
   // l_{n,tau,i}(x), (2.7): from N_{2i-2tau} .. N_{2i-2tau+n-4}, 1 at x_i, 0 at the others of x_{i-tau+1} ..
   // x_{i-tau+n-3}.
-  T local(long i, long piece, const std::vector<T>& values) const {
+  const T& local(long i, long piece, const std::vector<T>& values) const {
+    const auto known = locals_.find(i);
+    if (known != locals_.end()) return known->second;
+    return locals_.emplace(i, compute_local(i, piece, values)).first->second;
+  }
+  T compute_local(long i, long piece, const std::vector<T>& values) const {
     const long size = static_cast<long>(f_.order) - 3;
     std::vector<T> row;
     bool within = false;
@@ -161,7 +172,7 @@ class Splines {
     const long size = static_cast<long>(f_.order) - 3;
     std::vector<std::vector<T>> a;
     for (long q = i - tau_ + 1; q <= i - tau_ + size; ++q) {
-      const std::vector<T> values = vertex_values(q);
+      const std::vector<T>& values = vertex_values(q);
       std::vector<T> row;
       for (long c = 0; c < size; ++c) row.push_back(value_of(2 * (i - tau_) + c, vertex_piece(q), values));
       a.push_back(std::move(row));
@@ -199,6 +210,8 @@ class Splines {
   FundamentalFamily f_;
   long tau_ = 0;
   long sigma_ = 0;
+  mutable std::map<long, std::vector<T>> vertex_values_;  // N(x_q)
+  mutable std::map<long, T> locals_;                      // l_q(x)
 };
 
 }  // namespace

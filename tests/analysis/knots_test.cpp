@@ -176,6 +176,31 @@ TEST(Knots, CertificatesAreBoundToTheRule) {
     EXPECT_NE(check::check_text(sealed_again(changed)).status, check::Report::valid)
         << text.substr(at < 60 ? 0 : at - 60, 80) << " -> " << changed[at];
   }
+  // The boxes cover all edge parameters but the crease: not without one of them, not with a smaller one, nor the
+  // crease.
+  ASSERT_NE(text.find("\"parameters\": \"all-but-crease\""), std::string::npos);
+  const auto replaced = [&](size_t at, size_t length, const std::string& by) {
+    std::string changed = text;
+    return check::check_text(sealed_again(changed.replace(at, length, by)));
+  };
+  const auto holes = [](const check::Report& r) {
+    return r.status == check::Report::invalid && r.message.find("do not cover") != std::string::npos;
+  };
+  EXPECT_TRUE(holes(replaced(text.find("all-but-crease"), 14, "all")));
+  EXPECT_EQ(replaced(text.find("all-but-crease"), 14, "claims").status, check::Report::valid);
+  EXPECT_NE(replaced(text.find("all-but-crease"), 14, "most").status, check::Report::valid);
+  size_t boxes = 0, uncovered = 0;
+  for (size_t at = text.find("\"box\""); at != std::string::npos; at = text.find("\"box\"", at + 1)) {
+    ++boxes;
+    const size_t from = text.rfind("\n  {\n", at), half = text.find("\"1/2\"", at);
+    EXPECT_TRUE(holes(replaced(from, text.find("\n  },", at) + 5 - from, ""))) << boxes;
+    const bool upper = text.find(']', half) < text.find(',', half);
+    const check::Report smaller = replaced(half, 5, upper ? "\"2/5\"" : "\"3/5\"");
+    EXPECT_NE(smaller.status, check::Report::valid) << boxes;
+    uncovered += holes(smaller) ? 1 : 0;
+  }
+  EXPECT_EQ(boxes, 5U);
+  EXPECT_GT(uncovered, 0U);
   // A claim that is left out takes the conclusion with it.
   for (const std::string claim : {"knots-reproduces", "nonnegative-symbol"}) {
     std::string without = text;

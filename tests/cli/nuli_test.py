@@ -86,8 +86,45 @@ class Nuli(ProgramTest):
             self.assertEqual(rows[4], "4,1")
         self.refused("refine", "nuli:n=5", "--levels", "1", "--digits", "20", data, naming="nuli:n=5")
         self.refused("refine", "nuli:n=5", "--levels", "1", "--open=space", data, naming="nuli:n=5")
-        for wrong in ("nuli", "nuli:n=2", "nuli:n=9", "nuli:n=4,lambda=1"):
+        for wrong in ("nuli", "nuli:n=2", "nuli:n=65", "nuli:n=4,lambda=1"):
             self.refused("show", wrong, naming=wrong.split("=")[-1] if "=" in wrong else "n")
+
+    def test_rule_of_any_order_at_numbers(self):
+        """Edge parameters, 0 and 1 too: the general rule has nuli4 and nuli6 as its members."""
+        for order, scheme, at in ((3, "nuli4", "d=[1,1/2,3],lambda=0"), (3, "nuli4", "d=[1,1/2,3],lambda=1"),
+                                  (4, "nuli6", "d=[1,1/2,3,2,1/5],lambda=[1,0,1/3]"),
+                                  (4, "nuli6", "d=[1,1/2,3,2,1/5],lambda=[1/4,2/3,1]")):
+            a, b = (self.twoscale_json("stencil", s, "--at", at)["coefficients"] for s in (f"nuli:n={order}", scheme))
+            self.assertEqual(a, b)
+        for at in ("alpha=2,lambda=[1,0]", "alpha=1/3,lambda=[1/5,3/4]"):
+            a, b = (self.twoscale_json("spectrum", s, "--at", at) for s in ("nuli:n=4", "nuli6"))
+            self.assertEqual((a["matrix"], a["eigenvalues"]), (b["matrix"], b["eigenvalues"]))
+        # On equal knots order 6 is C^2 as far as eigenvalues go, order 8 does not even converge.
+        values = [[abs(float(e["decimal"])) for e in
+                   self.twoscale_json("spectrum", f"nuli:n={n}", "--at", "alpha=1")["eigenvalues"]] for n in (6, 8)]
+        self.assertLess(sorted(values[0])[-4], 0.25)
+        self.assertGreater(max(values[1]), 2)
+        text = self.twoscale("show", "nuli:n=7")
+        self.assertIn("p_{j-5} .. p_{j+6}", text)
+        self.assertIn("not written out", text)
+        self.assertEqual(self.twoscale_json("show", "nuli:n=7")["pieces"], [])
+        self.assertEqual(self.twoscale_json("show", "nuli:n=3")["pieces"][0]["where"], "all lambda = 1/2")
+        data = self.file("e.csv", "x,y,lambda,d\n0,0,0.5,1\n4,1,1,2\n4.2,3,0,0.5\n1,4,0.5,1\n")
+        rows = self.twoscale("refine", "nuli:n=6", "--levels", "2", data).split()
+        self.assertEqual((rows[0], len(rows)), ("x,y,lambda,d", 17))
+        self.assertEqual(rows[1::4], ["0,0,0.5,0.25", "4,1,1,0.5", "4.2,3,0,0.125", "1,4,0.5,0.25"])
+        a, b = (self.twoscale("refine", s, "--levels", "2", data).split()[1:] for s in ("nuli:n=4", "nuli6"))
+        for x, y in zip(a, b):
+            for u, v in zip(x.split(","), y.split(",")):
+                self.assertAlmostEqual(float(u), float(v), 12)
+        self.refused("stencil", "nuli:n=6", "--at", "d=[1,1,1,a,1,1,1,1,1]", naming="a")
+        self.refused("stencil", "nuli:n=6", "--at", "d=[1,1,1,1]", naming="[1,1,1,1]")
+        self.refused("stencil", "nuli:n=4", "--at", "d=[1,a,1,1,1],lambda=[0,1,1/2]", naming="a")
+        self.refused("spectrum", "nuli:n=6", naming="alpha")
+        self.refused("prove", "nuli:n=6", naming="nuli:n=6")
+        self.refused("stencil", "nuli:n=6,m=1", "--at", "d=[1]", naming="m")
+        wrong = self.file("w.csv", "x,y,lambda\n0,0,0.5\n1,0,2\n1,1,0\n")
+        self.refused("refine", "nuli:n=6", "--levels", "1", wrong, naming="row 2")
 
     def test_show(self):
         self.assertIn("lambda_0", self.twoscale("show", "nuli4"))

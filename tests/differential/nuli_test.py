@@ -44,6 +44,40 @@ class Stencils(ProgramTest):
                 code += f"print(rule({order},{order},{mu},{1 - mu},{d_text},{brackets(lam)})=={ours[-1]});\n"
             self.assertEqual(pari(code).split(), ["1"] * 12)
 
+    def test_rule_of_any_order(self):
+        """2mu points, with edge parameters: the definition; polynomials of degree < rho; edges beyond are not read."""
+        source = random.Random(7)
+        code, expected = SPLINES, []
+        for order, rho, mu in ((5, 5, 4), (6, 5, 5), (7, 6, 6)):
+            last = max(mu - 1, (3 * order - 10) // 2)
+            d = [Fraction(source.randint(1, 9), source.randint(1, 5)) for _ in range(1 - mu, last + 1)]
+            lam = [Fraction(source.randint(1, 9), 10) for _ in range(3 - order, (3 * order - 10) // 2 + 1)]
+            at = f"d={brackets(d)},lambda={brackets(lam)}"
+            weights = [Fraction(c) for c in self.twoscale_json("stencil", f"nuli:n={order}", "--at", at)["coefficients"]]
+            outer = [Fraction(1, 3)] * (3 - order - (1 - mu))
+            code += f"r=rule({order},{rho},{mu},{1 - mu},{brackets(d)},{brackets(outer + lam)});\n"
+            code += f"print(r=={brackets(weights)});\n"
+            lam[mu // 2] += Fraction(1, 20)
+            code += f"print(r==rule({order},{rho},{mu},{1 - mu},{brackets(d)},{brackets(outer + lam)}));\n"
+            expected += ["1", "0"]
+        self.assertEqual(pari(code).split(), expected)
+
+    def test_precision_of_any_order(self):
+        source = random.Random(8)
+        for order, rho, mu in ((6, 5, 5), (7, 6, 6), (8, 8, 8), (10, 9, 10)):
+            last = max(mu - 1, (3 * order - 10) // 2)
+            d = [Fraction(source.randint(1, 20), source.randint(1, 9)) for _ in range(1 - mu, last + 1)]
+            lam = [source.choice([Fraction(0), Fraction(1), Fraction(1, 2), Fraction(source.randint(1, 29), 30)])
+                   for _ in range(3 - order, (3 * order - 10) // 2 + 1)]
+            document = self.twoscale_json("stencil", f"nuli:n={order}", "--at",
+                                          f"d={brackets(d)},lambda={brackets(lam)}")
+            self.assertEqual(document["lowest"], 1 - mu)
+            weights = [Fraction(c) for c in document["coefficients"]]
+            x = [sum(d[:j]) for j in range(2 * mu)]
+            middle = x[mu - 1] + d[mu - 1] / 2
+            for e in range(rho + 1):
+                self.assertEqual(sum(w * (y - middle) ** e for w, y in zip(weights, x)) == 0 ** e, e < rho, (order, e))
+
     def test_appendix(self):
         """Coefficients a_{i,j} of v_{4,3,i} in B-splines. The labels of lambda are one too large as printed; with them
         put right, -6, -5, -3, -2, -1, 1, 2 hold; -4 and 0 follow from their neighbours as below."""
@@ -215,7 +249,8 @@ class ClosedPolygons(ProgramTest):
 class Junctions(ProgramTest):
     def test_characteristic_polynomials(self):
         for scheme, at in (("nuli4", "alpha=2,lambda=[1/3,1/2]"), ("nuli4", "alpha=5/3,lambda=[1,1/5]"),
-                           ("nuli6", "alpha=3/4,lambda=[2/3,1/4]"), ("lagrange4", "alpha=4")):
+                           ("nuli6", "alpha=3/4,lambda=[2/3,1/4]"), ("lagrange4", "alpha=4"),
+                           ("nuli:n=6", "alpha=2,lambda=[1/3,1]")):
             d = self.twoscale_json("spectrum", scheme, "--at", at)
             rows = "[" + ";".join(",".join(row) for row in d["matrix"]) + "]"
             factors = "*".join(f"({to_pari(f)})^{m}" for f, m in d["characteristic_polynomial"]["factors"])

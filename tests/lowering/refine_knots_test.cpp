@@ -7,7 +7,6 @@
 #include <cmath>
 #include <string>
 
-#include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 
 namespace twoscale::lowering {
@@ -88,11 +87,23 @@ TEST(RefineByWeights, AgreesWithKernels) {
       for (const bool again : {false, true}) {
         const KnotOptions options{1, boundary, Parametrization::centripetal, again};
         if (boundary == Boundary::given && rule == KnotRule::nuli6) continue;  // too few points
-        const auto fine = refine_by_weights(make_scheme(scheme), points, options);
+        const auto fine = refine_by_weights(*sampled_scheme(scheme), points, options);
         const auto expected = kernels::refine_on_knots(points, rule, options);
         ASSERT_EQ(fine.values.size(), expected.values.size());
         for (size_t i = 0; i < fine.values.size(); ++i) EXPECT_NEAR(fine.values[i], expected.values[i], 1e-12);
       }
+  // Edge parameters, 0 and 1 too, and how they are inherited.
+  const kernels::PointSet edges = read(
+      "x,y,lambda,d,tag\n0,0,0.5,1,0\n4,1,1,0.5,1\n4.2,3,0,0.75,1\n1,4,0.25,1.5,1\n0.3,4.1,0.5,0.25,0\n"
+      "-1,2,0.75,3,0\n-1.1,1.9,0.5,0.125,1\n-1,1.8,0.5,0.125,0\n-0.5,0.5,0.5,1,0\n");
+  for (const auto& [scheme, rule] : {std::pair("nuli:n=3", KnotRule::nuli4), std::pair("nuli:n=4", KnotRule::nuli6)})
+    for (const Boundary boundary : {Boundary::closed, Boundary::linear}) {
+      const KnotOptions options{3, boundary, Parametrization::given, false};
+      const auto fine = refine_by_weights(*sampled_scheme(scheme), edges, options);
+      const auto expected = kernels::refine_on_knots(edges, rule, options);
+      ASSERT_EQ(fine.values.size(), expected.values.size());
+      for (size_t i = 0; i < fine.values.size(); ++i) EXPECT_NEAR(fine.values[i], expected.values[i], 1e-12);
+    }
   std::string text = "x,y,d\n";
   double x = -2;
   for (int j = 0; j < 20; ++j) {
@@ -101,15 +112,15 @@ TEST(RefineByWeights, AgreesWithKernels) {
     x += d;
   }
   const auto eight =
-      refine_by_weights(make_scheme("nuli:n=5"), read(text), {2, Boundary::given, Parametrization::given, false});
+      refine_by_weights(*sampled_scheme("nuli:n=5"), read(text), {2, Boundary::given, Parametrization::given, false});
   ASSERT_GT(eight.size(), 20U);
   for (size_t j = 0; j < eight.size(); ++j)
     EXPECT_NEAR(eight.values[3 * j + 1], std::pow(eight.values[3 * j], 4), 1e-4 * (1 + eight.values[3 * j + 1]));
-  const Scheme four = make_scheme("nuli:n=3");
-  EXPECT_THROW(refine_by_weights(four, read(uneven), {}), Error);  // lambda, tag
+  const SampledScheme four = *sampled_scheme("nuli:n=3");
+  EXPECT_THROW(refine_by_weights(four, read("x,y,lambda\n0,0,2\n1,0,0\n1,1,0\n"), {}), Error);
   EXPECT_THROW(refine_by_weights(four, read("x,y\n0,0\n0,0\n1,1\n"), {}), Error);
   EXPECT_THROW(refine_by_weights(four, points, {1, Boundary::space, Parametrization::uniform, false}), Error);
-  EXPECT_THROW(refine_by_weights(make_scheme("nuli4"), points, {}), Error);
+  EXPECT_FALSE(sampled_scheme("nuli4"));
 }
 
 TEST(RefineKnots, WhatCannotBeUsedIsNamed) {

@@ -6,6 +6,7 @@
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/expression.hpp"
+#include "twoscale/symbolic/sampled_scheme.hpp"
 
 namespace twoscale::tests {
 namespace {
@@ -183,6 +184,67 @@ LAW(Nulifs, StencilsAtPoints, ()) {
 }
 
 // Values of an independent evaluation of (2.4)-(2.7) in PARI/GP.
+/// A sampled rule reads the intervals and edge parameters that SampledScheme names, each of them and no others; n = 10
+/// reads an interval beyond its points. (2.17) holds for n <= 5.
+TEST(Nulifs, WhatTheSampledRuleReads) {
+  for (const unsigned n : {3U, 4U, 5U, 6U, 7U, 10U}) {
+    const SampledScheme s = *sampled_scheme("nuli:n=" + std::to_string(n));
+    const long mu = s.highest();
+    EXPECT_EQ(s.last_parameter() == mu - 2 && s.first_parameter() == 2 - mu, n <= 5) << n;
+    EXPECT_EQ(s.last_interval() == mu, n == 10) << n;
+    std::vector<Rational> d, lambda;
+    const long beyond = mu + 3;
+    for (long e = -beyond; e <= beyond; ++e) {
+      d.emplace_back(e % 3 == 0 ? 2L : 1L, e % 2 == 0 ? 3L : 2L);
+      lambda.emplace_back(1 + (e + beyond) * 5 % 7, 9L);
+    }
+    lambda[static_cast<size_t>(beyond)] = Rational(1, 3);
+    const auto rule = [&] { return sampled_rule(s.family, -beyond, d, lambda, false); };
+    const std::vector<Rational> first = rule();
+    const auto part = [&](const std::vector<Rational>& list, long from, long to) {
+      return std::vector<Rational>(list.begin() + from + beyond, list.begin() + to + beyond + 1);
+    };
+    EXPECT_EQ(s.weights(part(d, s.lowest(), s.last_interval()), part(lambda, s.first_parameter(), s.last_parameter())),
+              first);
+    const auto reads = [&](std::vector<Rational>& list, long e) {
+      Rational& x = list[static_cast<size_t>(e + beyond)];
+      x += Rational(1, 50);
+      const bool changed = rule() != first;
+      x -= Rational(1, 50);
+      return changed;
+    };
+    for (const long e : {s.lowest() - 1, s.last_interval() + 1}) EXPECT_FALSE(reads(d, e)) << n << " d " << e;
+    for (const long e : {s.lowest(), s.last_interval()}) EXPECT_TRUE(reads(d, e)) << n << " d " << e;
+    for (const long e : {s.first_parameter() - 1, s.last_parameter() + 1})
+      EXPECT_FALSE(reads(lambda, e)) << n << " " << e;
+    for (const long e : {s.first_parameter(), s.last_parameter()}) EXPECT_TRUE(reads(lambda, e)) << n << " " << e;
+  }
+  EXPECT_THROW(sampled_scheme("nuli:n=4,m=2"), Error);
+  const SampledScheme s = *sampled_scheme("nuli:n=4");
+  EXPECT_THROW((void)s.weights({1, 1, 1, 1}, {Rational(1, 2), Rational(1, 2), Rational(1, 2)}), Error);
+  EXPECT_THROW((void)s.weights({1, 1, 0, 1, 1}, {Rational(1, 2), Rational(1, 2), Rational(1, 2)}), Error);
+}
+
+/// Double and triple knots: the weights are the limits.
+TEST(Nulifs, SampledRuleAtTheEndsOfEdgeParameters) {
+  const Rational small(1, 1000000000000L), tolerance(1, 1000000);
+  for (const unsigned n : {5U, 6U}) {
+    const SampledScheme s = *sampled_scheme("nuli:n=" + std::to_string(n));
+    const std::vector<Rational> d(static_cast<size_t>(s.last_interval() - s.lowest() + 1), Rational(2, 3));
+    const auto edges = static_cast<size_t>(s.last_parameter() - s.first_parameter() + 1);
+    for (unsigned mask = 0; mask < (1U << edges); mask += 3) {
+      std::vector<Rational> at, near;
+      for (size_t e = 0; e < edges; ++e) {
+        const bool one = (mask >> e & 1U) != 0;
+        at.emplace_back(one ? 1 : 0);
+        near.push_back(one ? Rational(1) - small : small);
+      }
+      const std::vector<Rational> a = s.weights(d, at), b = s.weights(d, near);
+      for (size_t i = 0; i < a.size(); ++i) EXPECT_LT(abs(a[i] - b[i]), tolerance) << n << " " << mask;
+    }
+  }
+}
+
 TEST(Nulifs, ValuesHeldElsewhere) {
   const auto q = [](const char* text) { return Rational::parse(text); };
   const std::vector<Rational> five = {1, q("1/2"), 3, 2, 1};

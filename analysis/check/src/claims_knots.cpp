@@ -2,6 +2,7 @@
 // Room: the independent checker. Claims about a rule on arbitrary knots: `knots-reproduces`, `knots-support`,
 // `junction`, `knots-continuity`.
 #include "twoscale/check/claims.hpp"
+#include "twoscale/check/covering.hpp"
 #include "twoscale/check/knot_rule.hpp"
 #include "twoscale/check/positivity.hpp"
 #include "twoscale/check/remainder.hpp"
@@ -384,7 +385,13 @@ Finding check_junction(const Context& context, Fields& fields, bool proved) {
       product(determinant, leading(expected, names.z), meter) !=
           product(expected, leading(determinant, names.z), meter))
     throw Refused(fields.path("factors") + ": not the characteristic polynomial of the local matrix");
-  context.knots.orders.push_back(order);
+  KnotFacts::Junction fact{order, std::nullopt};
+  if (restriction.empty() && all_ratios(positive)) {
+    const auto index = static_cast<std::size_t>(side - box.names.begin());
+    fact.region = rule.has_edges ? region_of(place.left.value, place.right.value, index, box.sides, meter)
+                                 : Region{Region::Shape::rectangle, {0, 1}, {1, 1}, {0, 1}, {1, 1}};
+  }
+  context.knots.junctions.push_back(std::move(fact));
   std::string where = " for " + text_of(box) + parameters;
   if (!restriction.empty())
     where += ", exactly where " + (restriction.size() <= 200 ? restriction : "the polynomial of the claim") + " > 0";
@@ -394,7 +401,7 @@ Finding check_junction(const Context& context, Fields& fields, bool proved) {
 }
 
 Finding check_knots_continuity(const Context& context, Fields& fields, bool proved) {
-  rule_of(context, fields);
+  const KnotRule& rule = rule_of(context, fields);
   require_proved(fields, proved);
   Meter& meter = context.meter;
   const long order = fields.take_integer("order", 0, 64), sum_rules = fields.take_integer("sum_rules", 1, 512);
@@ -408,13 +415,36 @@ Finding check_knots_continuity(const Context& context, Fields& fields, bool prov
   if (context.knots.degree < order)
     throw Refused("no claim before this one shows that polynomials of degree " + std::to_string(order) +
                   " are reproduced");
-  const auto junctions =
-      std::count_if(context.knots.orders.begin(), context.knots.orders.end(), [&](long l) { return l >= order; });
+  std::vector<Region> regions;
+  long junctions = 0;
+  for (const KnotFacts::Junction& j : context.knots.junctions) {
+    if (j.order < order) continue;
+    ++junctions;
+    if (j.region) regions.push_back(*j.region);
+  }
   if (junctions == 0) throw Refused("no claim before this one is about the vertices");
+  // For which intervals and edge parameters.
+  const std::string& parameters = fields.take_string("parameters");
+  const bool all = parameters == "all", but_crease = parameters == "all-but-crease";
+  if (!all && !but_crease && parameters != "claims")
+    throw Malformed(fields.path("parameters") + ": \"all\", \"all-but-crease\" or \"claims\" is expected");
+  std::string where = "the parameters of " + std::to_string(junctions) + " claim(s) above";
+  std::string evidence = "precision, the radius on equal knots and the eigenvalues by claims above";
+  if (all || but_crease) {
+    std::string hole;
+    const Covering covering = covering_of(regions, hole, meter);
+    if (covering == Covering::none)
+      throw Refused(fields.path("parameters") + ": the claims above do not cover the edge parameters " + hole);
+    if (all && covering != Covering::all)
+      throw Refused(fields.path("parameters") +
+                    ": the claims above do not cover the edge parameters left = 1, right = 0");
+    where = "all ratios of intervals" + std::string(rule.has_edges ? " and all edge parameters in [0, 1]^2" : "");
+    if (but_crease) where += " but left = 1, right = 0";
+    evidence += ", whose boxes cover these parameters";
+  }
   return {"C^" + std::to_string(order) +
-              " limits, converging uniformly: between the vertices of the data, and at them " +
-              "for the parameters of " + std::to_string(junctions) + " claim(s) above",
-          "precision, the radius on equal knots and the eigenvalues by claims above",
+              " limits, converging uniformly: between the vertices of the data, and at them " + "for " + where,
+          evidence,
           {"piecewise-uniform"}};
 }
 

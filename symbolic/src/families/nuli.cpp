@@ -3,9 +3,12 @@
 //
 // Local parameters: d, the knot intervals; lambda, the place of the auxiliary knot in an edge, in [0, 1]. A rule is a
 // blend of polynomial interpolants at the middle of the edge (nulifs.hpp).
+#include <algorithm>
+
 #include "recipes.hpp"
 #include "twoscale/symbolic/error.hpp"
 #include "twoscale/symbolic/nulifs.hpp"
+#include "twoscale/symbolic/sampled_scheme.hpp"
 
 namespace twoscale::families {
 
@@ -123,35 +126,32 @@ Scheme lagrange4(const SchemeName& name) {
   return s;
 }
 
-// The rule sampled from the symmetric splines of order n with the largest rho, every auxiliary knot at the same place.
-Scheme sampled(const SchemeName& name) {
-  const auto order = static_cast<unsigned>(integer_key(name, "n", 3, 5));
+constexpr unsigned highest_symbolic_order = 5;
+
+SampledScheme sampled_of(const SchemeName& name) {
   const auto at = name.keys.find("lambda");
   const Rational lambda = at == name.keys.end() ? Rational(1, 2) : Rational::parse(at->second);
   if (lambda.sign() <= 0 || lambda >= Rational(1)) bad_input("lambda must lie between 0 and 1", lambda.to_string());
-  const FundamentalFamily family = FundamentalFamily::symmetric(order);
+  return {name.to_string(), FundamentalFamily::symmetric(static_cast<unsigned>(integer_key(name, "n", 3, 64))), lambda};
+}
+
+// The rule as a function of the intervals, every auxiliary knot at the same place.
+Scheme sampled(const SchemeName& name) {
+  const SampledScheme sampled = sampled_of(name);
+  if (!sampled.symbolic())
+    bad_input("the weights of order above " + std::to_string(highest_symbolic_order) +
+                  " are not written out; show, stencil --at, spectrum --at and refine compute them at numbers",
+              sampled.id);
+  const FundamentalFamily& family = sampled.family;
   const long mu = static_cast<long>(family.mu);
-  std::vector<long> offsets;
-  std::vector<RationalFunction> d;
-  for (long e = 1 - mu; e < mu; ++e) {
-    offsets.push_back(e);
-    d.push_back(variable("d", e));
-  }
-  Scheme s = local_scheme(name, offsets, {});
-  s.kernel = "nuli";
-  s.title = "NULI " + std::to_string(2 * mu) + "-point scheme of order " + std::to_string(order) +
-            ", auxiliary knots at " + lambda.to_string();
-  s.source = "nuli (2.14), (2.17)";
-  std::string powers = "1";
-  for (unsigned e = 1; e < family.reproduction; ++e) powers += e == 1 ? ", x" : ", x^" + std::to_string(e);
-  s.claims = {{"interpolatory", "", "nuli (2.14)"}, {"reproduces", powers, "nuli section 2.3"}};
+  Scheme s = sampled.outline();
+  s.parameters.pop_back();
   // Edges beyond those of d are not read.
-  const long reach = 3 * static_cast<long>(order) + 2 * mu;
-  std::vector<RationalFunction> all_d;
-  for (long e = -reach; e <= reach; ++e)
-    all_d.push_back(e > -mu && e < mu ? d[static_cast<size_t>(e + mu - 1)] : RationalFunction(1));
+  const long reach = 3 * static_cast<long>(family.order) + 2 * mu;
+  std::vector<RationalFunction> d;
+  for (long e = -reach; e <= reach; ++e) d.push_back(e > -mu && e < mu ? variable("d", e) : RationalFunction(1));
   const std::vector<RationalFunction> c = sampled_rule(
-      family, -reach, all_d, std::vector<RationalFunction>(all_d.size(), lambda), lambda >= Rational(1, 2));
+      family, -reach, d, std::vector<RationalFunction>(d.size(), sampled.rest), sampled.rest >= Rational(1, 2));
   Stencil odd = empty_stencil(1 - mu, mu);
   for (size_t i = 0; i < c.size(); ++i) odd.blocks[i][0] = c[i];
   s.phases = with_old_point(std::move(odd));
@@ -176,8 +176,8 @@ void add_nuli(std::vector<CatalogEntry>& list) {
   list.push_back({"nuli",
                   "2mu-point on arbitrary knots, sampled from splines of order n; knots come with the data",
                   "nuli (2.14), (2.17)",
-                  {{"n", "order of the splines: 3, 4, 5 for 4, 6, 8 points", true},
-                   {"lambda", "place of all auxiliary knots, between 0 and 1; 1/2 if absent", false}},
+                  {{"n", "order of the splines, from 3: 3, 4, 5 for 4, 6, 8 points; above 5 at numbers only", true},
+                   {"lambda", "place of the auxiliary knots, between 0 and 1; 1/2 if absent", false}},
                   {"nuli:n=5", "nuli:lambda=1/3,n=3"},
                   sampled});
   list.push_back({"lagrange4",
@@ -189,3 +189,49 @@ void add_nuli(std::vector<CatalogEntry>& list) {
 }
 
 }  // namespace twoscale::families
+
+namespace twoscale {
+
+bool SampledScheme::symbolic() const { return family.order <= families::highest_symbolic_order; }
+
+Scheme SampledScheme::outline() const {
+  std::vector<long> interval_offsets, edge_offsets;
+  for (long e = lowest(); e <= last_interval(); ++e) interval_offsets.push_back(e);
+  for (long e = first_parameter(); e <= last_parameter(); ++e) edge_offsets.push_back(e);
+  Scheme s = families::local_scheme({id, {}}, interval_offsets, edge_offsets);
+  s.parameters.back().rest = rest;
+  s.kernel = "nuli";
+  s.title = "NULI " + std::to_string(2 * highest()) + "-point scheme of order " + std::to_string(family.order) +
+            ", auxiliary knots at " + rest.to_string();
+  s.source = "nuli (2.14), (2.17)";
+  std::string powers = "1";
+  for (unsigned e = 1; e < family.reproduction; ++e) powers += e == 1 ? ", x" : ", x^" + std::to_string(e);
+  s.claims = {{"interpolatory", "", "nuli (2.14)"}, {"reproduces", powers, "nuli section 2.3"}};
+  return s;
+}
+
+std::vector<Rational> SampledScheme::weights(const std::vector<Rational>& d,
+                                             const std::vector<Rational>& lambda) const {
+  const auto intervals = static_cast<std::size_t>(last_interval() - lowest() + 1);
+  const auto parameters = static_cast<std::size_t>(last_parameter() - first_parameter() + 1);
+  if (d.size() != intervals || lambda.size() != parameters)
+    bad_input(id + " reads " + std::to_string(intervals) + " intervals and " + std::to_string(parameters) +
+                  " edge parameters, not",
+              std::to_string(d.size()) + " and " + std::to_string(lambda.size()));
+  for (const auto& x : d)
+    if (x.sign() <= 0) bad_input("a knot interval must be positive", x.to_string());
+  for (const auto& x : lambda)
+    if (x.sign() < 0 || x > Rational(1)) bad_input("an edge parameter must be in [0, 1]", x.to_string());
+  std::vector<Rational> all(intervals, rest);
+  std::copy(lambda.begin(), lambda.end(), all.begin() + (first_parameter() - lowest()));
+  return sampled_rule(family, lowest(), d, all, all[static_cast<std::size_t>(-lowest())] >= Rational(1, 2));
+}
+
+std::optional<SampledScheme> sampled_scheme(std::string_view text) {
+  if (!text.starts_with("nuli:")) return std::nullopt;
+  const SchemeName name = parse_scheme_name(text);
+  families::entry_of(name);
+  return families::sampled_of(name);
+}
+
+}  // namespace twoscale

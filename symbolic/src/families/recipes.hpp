@@ -14,6 +14,8 @@ namespace twoscale::families {
 
 constexpr long largest_l = 128;
 
+// The entry of the catalogue. Throws Error(bad_input) naming an unknown id, a key that is unknown or missing.
+const CatalogEntry& entry_of(const SchemeName& name);
 // The value of a key that is an integer between two bounds. Throws Error(bad_input) naming the text.
 long integer_key(const SchemeName& name, const std::string& key, long least, long greatest);
 // The key `arity`, 2 if absent.

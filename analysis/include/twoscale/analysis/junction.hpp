@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "twoscale/analysis/spectrum.hpp"
+#include "twoscale/symbolic/sampled_scheme.hpp"
 #include "twoscale/symbolic/scheme.hpp"
 
 namespace twoscale::analysis {
@@ -28,6 +29,10 @@ struct Junction {
 // of the rule.
 Junction junction(const Scheme& scheme, const RationalFunction& alpha, const RationalFunction& left,
                   const RationalFunction& right, const std::map<std::string, Rational>& sample = {});
+
+// The same for a rule that is known at numbers only. Throws Error(bad_input) unless alpha > 0, edge parameters in [0,
+// 1].
+Junction junction(const SampledScheme& scheme, const Rational& alpha, const Rational& left, const Rational& right);
 
 // The spectrum of the junction's matrix.
 Spectrum spectrum(const Junction& junction);

@@ -9,7 +9,8 @@
 //   (2.5)   the polynomial phi is the one of the points that the B-spline sees: phi_{i+floor(j/2), floor(j/2)}, not
 //           phi_{i+j,j}; in (2.6), n >= 4, it is built with sigma in the place of mu, as its u_{rho,2sigma,i} is.
 //   (2.10)  mu = (floor(3n/2) + rho - 4)/2, and (2.11) asks this for an integer: the printed outer floor is always one.
-//   (2.17)  the rule reads lambda_{i-mu+2} .. lambda_{i+mu-2} and acts on p_{i-mu+1+h}, not on p_i.
+//   (2.17)  the rule acts on p_{i-mu+1+h}, not on p_i; it reads lambda_{i-mu+2} .. lambda_{i+mu-2} for n <= 5 only,
+//           lambda_{i+3-n} .. lambda_{i+floor((3n-10)/2)} in general (sampled_scheme.hpp).
 //
 // Knots may coincide (lambda = 0 or 1): 0/0 in the recursions counts as 0, and the values are the limits wherever the
 // interpolant has one. Intervals d are positive.

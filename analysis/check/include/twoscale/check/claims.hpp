@@ -3,9 +3,11 @@
 #pragma once
 
 #include "twoscale/check/certificate.hpp"
+#include "twoscale/check/covering.hpp"
 #include "twoscale/check/identities.hpp"
 #include "twoscale/check/point.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +21,13 @@ struct RadiusBounds {
 
 /// What the claims so far have established of a rule on knots.
 struct KnotFacts {
-  long degree = -1;          ///< of the polynomials reproduced
-  std::vector<long> orders;  ///< of the claims `junction`
+  /// A claim `junction`. region: of the edge parameters, if it is about all ratios and all parameters of its box.
+  struct Junction {
+    long order = 0;
+    std::optional<Region> region;
+  };
+  long degree = -1;  ///< of the polynomials reproduced
+  std::vector<Junction> junctions;
 };
 
 /// For claims about a mask.

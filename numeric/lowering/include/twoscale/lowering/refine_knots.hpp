@@ -3,7 +3,7 @@
 #pragma once
 
 #include "twoscale/kernels/nonuniform.hpp"
-#include "twoscale/symbolic/scheme.hpp"
+#include "twoscale/symbolic/sampled_scheme.hpp"
 
 namespace twoscale::lowering {
 
@@ -15,11 +15,13 @@ namespace twoscale::lowering {
 kernels::PointSet refine_on_knots(const kernels::PointSet& points, kernels::KnotRule rule,
                                   const kernels::KnotOptions& options, long digits);
 
-// Any scheme on knots without edge parameters, by its weights: they are evaluated exactly at the doubles of the
-// interval ratios and rounded, once for every pattern of them; points are doubles. The columns are coordinates and `d`.
-// Slower than a kernel, and without its care for neighbouring points that nearly coincide. Throws Error or
-// kernels::Error (bad_input): columns lambda or tag, Boundary::space, intervals that are not positive, too few points.
-kernels::PointSet refine_by_weights(const Scheme& scheme, const kernels::PointSet& points,
+// A sampled rule of any order by its weights: they are evaluated exactly at the doubles of the interval ratios and edge
+// parameters and rounded, once for every pattern of them; points are doubles. Without a column `lambda` all edge
+// parameters are at rest; without `tag` both ends of every edge that is not at rest are tagged. Linear in the output;
+// slower than a kernel, and without its care for neighbouring points that nearly coincide. Throws Error or
+// kernels::Error (bad_input): Boundary::space, intervals that are not positive, edge parameters outside [0, 1], too few
+// points.
+kernels::PointSet refine_by_weights(const SampledScheme& scheme, const kernels::PointSet& points,
                                     const kernels::KnotOptions& options);
 
 }  // namespace twoscale::lowering
