@@ -214,6 +214,7 @@ class Proofs(Files):
             path, claims = self.certificate(scheme, status=status)
             verdicts = {(c["claim"], c["subject"]): c["verdict"] for c in claims}
             self.assertEqual(verdicts.pop(("continuity", "2")), continuity)
+            self.assertEqual(verdicts.pop(("symmetric", "")), continuity)  # the same schemes
             self.assertEqual(set(verdicts.values()), {"proved"})
             self.assertIn("valid", self.check(path))
             self.assertIn("valid", self.twoscale("check", path))
@@ -263,7 +264,7 @@ class Proofs(Files):
                            '"1" = [["1/2", "-1/8"], ["3/2", "-1/4"]]}\n')
         claims = self.twoscale_json("prove", scheme)["claims"]
         self.assertEqual([(c["claim"], c["subject"], c["verdict"]) for c in claims],
-                         [("interpolatory", "", "proved"), ("spectral", "3", "proved")])
+                         [("interpolatory", "", "proved"), ("symmetric", "", "proved"), ("spectral", "3", "proved")])
         self.assertIn("undecided", self.twoscale("prove", scheme, "--claim", "continuity=1", status=3))
         self.assertIn("undecided", self.twoscale("regularity", scheme, status=3))
 

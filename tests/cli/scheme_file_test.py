@@ -229,7 +229,7 @@ class Refused(SchemeFileTest):
         for file, word in ((block, "blocks"), (local, "local")):
             self.assertIn("rule", self.twoscale("show", file))
             self.twoscale_json("show", file)
-            for command in (["prove", file, "--claim", "symmetric"], ["table", file, "--levels", "1"],
+            for command in (["prove", file, "--claim", "sum-rules=2"], ["table", file, "--levels", "1"],
                             ["report", file, "-o", self.path("page")]):
                 self.refused(*command, naming=word)
         self.refused("regularity", local, naming="local")
