@@ -257,6 +257,33 @@ class Proofs(Files):
             self.assertIn(done.returncode, (0, 1) if words[1] == "prove" else (0,), line + done.stderr)
         self.refused("report", "hermite2010", "--at", "w=2", "-o", directory, naming="hermite2010")
 
+    def test_scheme_pages(self):
+        import html
+        import re
+        import shlex
+        for scheme, verdicts in (("hermite-circle", [8, 0]), ("hermite-circle:w=7/5", [6, 2])):
+            directory = self.path("page")
+            summary = self.twoscale_json("report", scheme, "-o", directory)
+            self.assertTrue(summary["certificates_valid"])
+            self.assertEqual([summary["verdicts"][v] for v in ("proved", "refuted")], verdicts)
+            with open(os.path.join(directory, "index.html"), encoding="utf-8") as file:
+                page = file.read()
+            for section in ("definition", "claims", "smoothness", "spectrum", "pictures"):
+                self.assertIn(f'id="{section}"', page)
+            for name in ("claims", "smoothness"):
+                self.assertIn("valid", self.check(os.path.join(directory, "certificates", name + ".json")))
+            commands = [html.unescape(c) for c in re.findall(r'<span class="prompt">\$ </span>([^\n]*)', page)]
+            self.assertEqual(len(commands), 9)
+            for line in commands if "w=7/5" in scheme else []:
+                program, *words = shlex.split(line)
+                done = run(program, *words, cwd=directory)
+                self.assertIn(done.returncode, (0, 1) if words[0] == "prove" else (0,), line + done.stderr)
+        self.refused("report", "hermite-circle", "--at", "w=2", "-o", self.path("none"), naming="w=2")
+        self.assertFalse(os.path.exists(self.path("none")))
+        # Beyond the first pole of the sample points the page says so.
+        self.assertEqual(self.twoscale_json("report", "hermite-circle:w=100", "-o", self.path("far"))["pictures"], 1)
+        self.assertIn("| symmetric |  | refuted |", self.twoscale("report", "hermite-circle:w=7/5", "--format", "md"))
+
     def test_other_schemes_of_blocks(self):
         scheme = self.path("h.toml", '[scheme]\nname = "h"\nblock = 2\n'
                            '[[phase]]\nresidue = 0\nstencil = {"0" = [["1", "0"], ["0", "1"]]}\n'
@@ -265,6 +292,8 @@ class Proofs(Files):
         claims = self.twoscale_json("prove", scheme)["claims"]
         self.assertEqual([(c["claim"], c["subject"], c["verdict"]) for c in claims],
                          [("interpolatory", "", "proved"), ("symmetric", "", "proved"), ("spectral", "3", "proved")])
+        summary = self.twoscale_json("report", scheme, "-o", self.path("page"))
+        self.assertEqual((summary["verdicts"]["proved"], summary["pictures"]), (3, 0))
         self.assertIn("undecided", self.twoscale("prove", scheme, "--claim", "continuity=1", status=3))
         self.assertIn("undecided", self.twoscale("regularity", scheme, status=3))
 
