@@ -480,8 +480,11 @@ const TensionRates& tension_rates() {
 }
 
 std::vector<Claim> default_claims_on_vertices(const Scheme& scheme) {
-  std::vector<Claim> claims = {{"interpolatory", "", ""}, {"symmetric", "", ""}, {"spectral", "", ""}};
+  // Of the printed tension no symmetry is claimed.
   const auto rules = known_rules(scheme);
+  std::vector<Claim> claims = {{"interpolatory", "", ""}};
+  if (!rules || rules->plain) claims.push_back({"symmetric", "", ""});
+  claims.push_back({"spectral", "", ""});
   if (!rules) return claims;
   claims.push_back({"interpolant", "", ""});
   claims.push_back({"positive-weights", "", ""});

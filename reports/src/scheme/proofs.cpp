@@ -2,6 +2,7 @@
 // What is proved: the claims of the scheme, its exponents, the spectrum of its local matrix.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "sections.hpp"
@@ -10,6 +11,7 @@
 #include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/reports/html.hpp"
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/hermite_circle.hpp"
 
 namespace twoscale::reports::scheme_page {
 
@@ -51,7 +53,21 @@ std::string theorems(const std::vector<Decision>& decisions) {
 
 Part claims(const Subject& s, SchemeReportSummary& summary) {
   Part part;
-  const analysis::Proof proof = analysis::prove(s.scheme, analysis::default_claims(s.scheme));
+  std::vector<Claim> asked = analysis::default_claims(s.scheme);
+  std::string claims;  // for the command, if they are not the default
+  if (s.scheme.block > 1) {
+    bool more = false;
+    for (const char* name : {"symmetric", "circle"}) {
+      const bool known = std::string(name) == "symmetric" || hermite_tension(s.scheme);
+      if (!known || std::any_of(asked.begin(), asked.end(), [&](const Claim& c) { return c.name == name; })) continue;
+      asked.push_back({name, "", ""});
+      more = true;
+    }
+    if (more) {
+      for (const Claim& c : asked) claims += " --claim " + c.name + (c.subject.empty() ? "" : "=" + c.subject);
+    }
+  }
+  const analysis::Proof proof = analysis::prove(s.scheme, asked);
   part.numbers = nlohmann::ordered_json::array();
   for (const auto& d : proof.decisions) {
     ++(d.verdict == Verdict::proved    ? summary.proved
@@ -67,12 +83,13 @@ Part claims(const Subject& s, SchemeReportSummary& summary) {
   if (const std::string names = theorems(proof.decisions); !names.empty())
     part.html += "<p class=\"small\">Theorems named in the certificate: " + names + ".</p>\n";
   if (proof.certificate.empty()) {
-    part.html += commands_html({"twoscale prove " + s.name});
+    part.html += commands_html({"twoscale prove " + s.name + claims});
     return part;
   }
   part.html += certificate_html(part, s.prefix + "claims", proof.certificate, s.options.checker);
-  part.html += commands_html({"twoscale prove " + s.name + " --certificate certificates/" + s.prefix + "claims.json",
-                              "twoscale-check certificates/" + s.prefix + "claims.json"});
+  part.html +=
+      commands_html({"twoscale prove " + s.name + claims + " --certificate certificates/" + s.prefix + "claims.json",
+                     "twoscale-check certificates/" + s.prefix + "claims.json"});
   return part;
 }
 
