@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "twoscale/analysis/certificate.hpp"
 #include "twoscale/analysis/hermite.hpp"
@@ -63,8 +64,9 @@ TensionRates derive_rates() {
 // The rules of hermite2010 as a certificate speaks of them.
 struct Rules {
   HermiteTension tension;
-  R w;         // the scheme's own value
-  bool plain;  // w = 1, or tension c2: the end of the interval is s_1
+  R w;                 // the scheme's own value
+  bool plain;          // w = 1, or tension c2: the end of the interval is s_1
+  std::vector<R> old;  // the matrix of an old vertex
 };
 
 std::optional<Rules> known_rules(const Scheme& scheme) {
@@ -74,7 +76,7 @@ std::optional<Rules> known_rules(const Scheme& scheme) {
   for (const auto& p : scheme.parameters)
     if (p.scope == Parameter::Scope::constant && !p.default_value.empty())
       w = *parse_rational_function(p.default_value).constant();
-  return Rules{*tension, R(w), *tension == HermiteTension::c2 || w == Rational(1)};
+  return Rules{*tension, R(w), *tension == HermiteTension::c2 || w == Rational(1), scheme.phases[0].blocks.at(0)};
 }
 
 Json rules_json(const Rules& rules) {
@@ -88,7 +90,15 @@ Json rules_json(const Rules& rules) {
     for (const R& x : row) numerators.push_back(numerator_over(x, d).to_string());
     rows.push_back(Json::object({{"numerators", numerators}, {"denominator", d.expanded().to_string()}}));
   }
-  return Json::object({{"order", 2}, {"end", ratio_json(rules.plain ? u : v + w * (u - v))}, {"rule", rows}});
+  Json old = Json::array();
+  const std::size_t block = rule.size();
+  for (std::size_t h = 0; h < block; ++h) {
+    std::vector<std::string> row;
+    for (std::size_t i = 0; i < block; ++i) row.push_back(rules.old.at(h * block + i).to_string());
+    old.push_back(row);
+  }
+  return Json::object(
+      {{"order", 2}, {"end", ratio_json(rules.plain ? u : v + w * (u - v))}, {"rule", rows}, {"old", old}});
 }
 
 Json interpolant_json(const Rules& rules) {
@@ -153,6 +163,8 @@ class Prover {
       d = interpolatory();
     else if (claim.name == "spectral")
       d = spectral(claim.subject);
+    else if (claim.name == "symmetric")
+      d = symmetric();
     else if (!rules_)
       d.witness = "known for the rules of hermite2010 only";
     else if (claim.name == "interpolant")
@@ -194,7 +206,105 @@ class Prover {
                     entry.to_string();
       }
     d.domain = "all data" + (scaled ? "; the derivatives of old vertices are multiplied by " + factors : "");
+    if (rules_ && d.verdict == Verdict::proved)
+      d.evidence = Json::object({{"claim", "interpolatory"}, {"verdict", "proved"}, {"theorem", "definition"}});
     return d;
+  }
+
+  // Reversal of the data: vertex j goes to -j, s to -s, derivatives of odd order change sign. The mask A_i, i = r - m
+  // h, has to be that of its mirror image, about the middle of its support; a rule that reads s at the ends of an edge
+  // has the vertex 0 there.
+  Decision symmetric() const {
+    Decision d;
+    const Scheme s = with_default_values(scheme_);
+    const Parameter* local = nullptr;
+    for (const auto& p : s.parameters) {
+      if (p.scope != Parameter::Scope::local) continue;
+      if (local != nullptr || p.offsets != std::vector<long>{0, 1}) {
+        d.witness = "reversal is known for one local parameter, read at the two ends of an edge, not for " + p.name;
+        return d;
+      }
+      local = &p;
+    }
+    const long m = s.arity;
+    std::map<long, const std::vector<R>*> mask;
+    for (long r = 0; r < m; ++r) {
+      const Stencil& stencil = s.phases[static_cast<std::size_t>(r)];
+      for (std::size_t i = 0; i < stencil.blocks.size(); ++i)
+        if (const auto& b = stencil.blocks[i]; std::any_of(b.begin(), b.end(), [](const R& x) { return !x.is_zero(); }))
+          mask[r - m * (stencil.lowest + static_cast<long>(i))] = &b;
+    }
+    if (mask.empty()) return d;
+    const long twice = mask.begin()->first + mask.rbegin()->first;
+    if (local != nullptr && twice != 0) {
+      d.witness = "the rules are not centred on the vertex 0 that their local parameters are read from";
+      return d;
+    }
+    const std::string left = local == nullptr ? "" : local_name(local->name, 0);
+    const std::string right = local == nullptr ? "" : local_name(local->name, 1);
+    const auto reversed = [&](const R& x, bool vertex) {
+      if (local == nullptr) return x;
+      const R far = -variable((vertex ? local_name(local->name, -1) : right).c_str());
+      if (vertex) return x.substitute(right, far).substitute(left, -variable(left.c_str()));
+      const char* const aside = "reversed";
+      return x.substitute(left, variable(aside)).substitute(right, -variable(left.c_str())).substitute(aside, far);
+    };
+    const auto block = static_cast<std::size_t>(s.block);
+    const std::vector<R> none(block * block);
+    for (const auto& [index, entries] : mask) {
+      const auto found = mask.find(twice - index);
+      const std::vector<R>& others = found == mask.end() ? none : *found->second;
+      for (std::size_t e = 0; e < block * block; ++e) {
+        const long sign = (e / block + e % block) % 2 == 0 ? 1 : -1;
+        const R other = R(sign) * reversed(others[e], index % m == 0);
+        if (other == (*entries)[e]) continue;
+        d.verdict = Verdict::refuted;
+        d.witness = not_mirrored(index, e, (*entries)[e], other, left, right, d.evidence);
+        return d;
+      }
+    }
+    d.verdict = Verdict::proved;
+    d.domain = "all data" + (local == nullptr ? "" : ", with " + local->name + " -> -" + local->name);
+    if (rules_) d.evidence = Json::object({{"claim", "symmetric"}, {"verdict", "proved"}, {"theorem", "definition"}});
+    return d;
+  }
+
+  // The end of an edge from `from`, so that the tension carries it to `to` at most: below the poles.
+  Rational tensed(const Rational& from, const Rational& to) const {
+    const Rational w = rules_ ? *rules_->w.constant() : Rational(1);
+    return w > Rational(1) ? from + (to - from) / w : to;
+  }
+
+  // Two entries that differ, at numbers where they do if they depend on local parameters.
+  std::string not_mirrored(long index, std::size_t entry, R own, R other, const std::string& left,
+                           const std::string& right, Json& evidence) const {
+    const auto block = static_cast<std::size_t>(scheme_.block);
+    const std::size_t row = entry / block, derivative = entry % block;
+    std::string place;
+    const std::pair<Rational, Rational> ends[] = {
+        {0, {1, 5}}, {{1, 10}, {1, 3}}, {{-1, 7}, {2, 5}}, {{1, 11}, {3, 13}}};
+    if (!left.empty())
+      for (const auto& [from, most] : ends) {
+        const Rational to = tensed(from, most);
+        const R a = own.substitute(left, R(from)).substitute(right, R(to));
+        const R b = other.substitute(left, R(from)).substitute(right, R(to));
+        if (a == b) continue;
+        own = a, other = b;
+        place = " at " + left + " = " + from.to_string() + ", " + right + " = " + to.to_string();
+        if (rules_ && a.constant() && b.constant())
+          evidence =
+              Json::object({{"claim", "symmetric"},
+                            {"verdict", "refuted"},
+                            {"witness", Json::object({{"at", {from.to_string(), to.to_string(), rules_->w.to_string()}},
+                                                      {"row", row},
+                                                      {"column", 2 * derivative + (index > 0 ? 0U : 1U)},
+                                                      {"value", a.to_string()},
+                                                      {"mirror", b.to_string()}})},
+                            {"theorem", "definition"}});
+        break;
+      }
+    return "the entry of row " + std::to_string(row) + ", column " + std::to_string(derivative) + " of A_" +
+           std::to_string(index) + place + " is " + own.to_string() + ", that of the mirror image " + other.to_string();
   }
 
   Decision spectral(const std::string& subject) const {
@@ -207,6 +317,18 @@ class Prover {
                std::string(s.consistent ? "are those of the limit in one scale" : "are not those of the limit") +
                (s.reproduces ? ", polynomials of degree <= " + std::to_string(s.order) + " are reproduced" : "");
     d.witness = d.verdict == Verdict::proved ? "" : "the largest order is " + std::to_string(s.order);
+    if (rules_ && d.verdict == Verdict::proved && s.reproduces && s.scales.size() == 3 && wanted >= 0) {
+      Json scales = Json::array();
+      for (std::size_t k = 1; k < s.scales.size(); ++k)
+        scales.push_back(ratio_json(rules_->tension == HermiteTension::printed && rules_->plain
+                                        ? s.scales[k].substitute("w", R(1))
+                                        : s.scales[k]));
+      d.evidence = Json::object({{"claim", "spectral"},
+                                 {"verdict", "proved"},
+                                 {"order", wanted},
+                                 {"scales", scales},
+                                 {"theorem", "definition"}});
+    }
     return d;
   }
 
@@ -254,7 +376,7 @@ class Prover {
       d.verdict = Verdict::proved;
       d.domain = std::string("f, p, r = the derivatives in t of rho (cos sigma, sin sigma), any spacing") +
                  (rules_->tension == HermiteTension::c2 ? ", p and r divided by w and w^2" : "");
-      d.supporting.push_back(interpolant_json(*rules_));
+      d.supporting = {interpolant_json(*rules_), halves_json(*rules_)};
       d.evidence = Json::object({{"claim", "circle"},
                                  {"verdict", "proved"},
                                  {"cosine", cosine.numerator().to_string()},
@@ -263,7 +385,7 @@ class Prover {
       return d;
     }
     // One step on the data of a circle.
-    const R v(Rational(0)), u(Rational(1, 5));
+    const R v(Rational(0)), u(tensed(0, Rational(1, 5)));
     const HermiteRule rule = hermite_circle_rule(v, u, rules_->w, HermiteTension::printed);
     const auto derivative = [](const R& f) {
       const Polynomial n = f.numerator(), b = f.denominator();
@@ -278,8 +400,17 @@ class Prover {
       square += value * value;
     }
     d.verdict = square == R(1) ? Verdict::undecided : Verdict::refuted;
-    d.witness =
-        "from data of the unit circle at s = 0 and s = 1/5 comes a point with x^2 + y^2 = " + square.to_string();
+    d.witness = "from data of the unit circle at s = 0 and s = " + u.to_string() +
+                " comes a point with x^2 + y^2 = " + square.to_string();
+    if (d.verdict != Verdict::refuted) return d;
+    d.supporting.push_back(interpolant_json(*rules_));
+    d.evidence = Json::object({{"claim", "circle"},
+                               {"verdict", "refuted"},
+                               {"cosine", cosine.numerator().to_string()},
+                               {"sine", sine.numerator().to_string()},
+                               {"witness", Json::object({{"at", {v.to_string(), u.to_string(), rules_->w.to_string()}},
+                                                         {"square", square.to_string()}})},
+                               {"theorem", "hermite-interpolation"}});
     return d;
   }
 
@@ -349,8 +480,11 @@ const TensionRates& tension_rates() {
 }
 
 std::vector<Claim> default_claims_on_vertices(const Scheme& scheme) {
-  std::vector<Claim> claims = {{"interpolatory", "", ""}, {"spectral", "", ""}};
+  // Of the printed tension no symmetry is claimed.
   const auto rules = known_rules(scheme);
+  std::vector<Claim> claims = {{"interpolatory", "", ""}};
+  if (!rules || rules->plain) claims.push_back({"symmetric", "", ""});
+  claims.push_back({"spectral", "", ""});
   if (!rules) return claims;
   claims.push_back({"interpolant", "", ""});
   claims.push_back({"positive-weights", "", ""});
@@ -362,15 +496,15 @@ std::vector<Claim> default_claims_on_vertices(const Scheme& scheme) {
 }
 
 Proof prove_on_vertices(const Scheme& scheme, const std::vector<Claim>& claims) {
-  static const std::vector<std::string> names = {"interpolatory", "spectral",   "interpolant", "positive-weights",
-                                                 "circle",        "continuity", "curvature"};
+  static const std::vector<std::string> names = {"interpolatory",    "symmetric", "spectral",   "interpolant",
+                                                 "positive-weights", "circle",    "continuity", "curvature"};
   Prover prover(scheme);
   Proof proof;
   std::vector<Json> entries;
   for (const Claim& c : claims) {
     if (std::find(names.begin(), names.end(), c.name) == names.end())
       bad_input(
-          "of a scheme of blocks interpolatory, spectral, interpolant, positive-weights, circle, continuity "
+          "of a scheme of blocks interpolatory, symmetric, spectral, interpolant, positive-weights, circle, continuity "
           "and curvature can be decided, not",
           c.name);
     if (c.name != "continuity" && c.name != "spectral" && !c.subject.empty())

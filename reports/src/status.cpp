@@ -19,7 +19,7 @@ using analysis::Verdict;
 struct Property {
   std::string title;
   std::vector<std::string> claims;  // what prove() calls it
-  bool needs_symbol;                // it is a question about masks
+  bool needs_symbol;                // a question about masks: not asked of other schemes, unless they decide it
 };
 
 const std::vector<Property>& properties() {
@@ -127,7 +127,10 @@ StatusRow status_of(const std::string& name) {
     refusal = e.what();
   }
   for (const Property& p : properties()) {
-    if (p.needs_symbol && !has_symbol(scheme))
+    const bool decided = std::any_of(decisions.begin(), decisions.end(), [&](const Decision& d) {
+      return std::find(p.claims.begin(), p.claims.end(), d.claim) != p.claims.end();
+    });
+    if (p.needs_symbol && !has_symbol(scheme) && !decided)
       row.cells.push_back({});
     else if (p.claims[0] == "continuity" && has_symbol(scheme))
       row.cells.push_back(smoothness(scheme));

@@ -4,6 +4,7 @@
 import math
 import os
 import unittest
+from fractions import Fraction
 
 import mpmath
 
@@ -24,7 +25,7 @@ class Stencil(ProgramTest):
         matrix = document["matrix"]
         self.assertEqual([len(row) for row in matrix], [6, 6, 6])
         # u = w/7 - (1-w)/5 = -1/35: the printed formula lambda_25 = phi_9(v, u) with the arguments swapped.
-        from fractions import Fraction as F
+        F = Fraction
         v, u = F(-1, 5), F(-1, 35)
         phi9 = lambda u, v: (1 - u * v)**3 * (v**2 + 1)**3 / (4 * (u * v + 1)**3 * (v - 1)**3 * (v + 1)**3)
         self.assertEqual((F(matrix[2][4]), F(matrix[2][5])), (phi9(u, v), phi9(v, u)))
@@ -149,6 +150,32 @@ class Refine(Files):
         self.twoscale("refine", "hermite-circle", "--at", "w=1/tan(1/8)-10^(-25)", *common)
         self.refused("refine", "hermite-circle", "--at", "w=1/tan(1/8)+10^(-25)", *common, naming="w*")
 
+    def test_points_that_double_cannot_tell_apart(self):
+        """With digits the numbers of the file are exact, also where it is decided which vertices measure the data."""
+        near = ["0", "4", "5", "2", "-1"], ["0", "-1", "2", "5", "3"]
+        text = "".join(f"{x},{y}\n" for x, y in zip(*near))
+        tiny = "".join(f"{x}e-25,{y}e-25\n" for x, y in zip(*near))
+        # Moved by (1, 1): in double one point. 1 + x*1e-25 written out.
+        def moved(x):
+            x = int(x)
+            return f"1.{x:025d}" if x >= 0 else f"0.{10**25 + x:025d}"
+        one = "".join(f"{moved(x)},{moved(y)}\n" for x, y in zip(*near))
+        options = ("--levels", "1", "--digits", "60")
+        self.refused("refine", "hermite-circle", "--levels", "1", self.path("one.csv", one), naming="equal")
+        self.refused("refine", "hermite-circle", *options, self.path("same.csv", "1,1\n1.0,1e0\n1,1\n"), naming="equal")
+        rows = self.refined("hermite-circle", one, *options)[1]
+        self.assertEqual(len(rows), 10)
+        for row, a, b in zip(rows[::2], *near):
+            self.assertEqual([Fraction(x) - 1 for x in row], [Fraction(int(a), 10**25), Fraction(int(b), 10**25)])
+        with mpmath.workdps(70):
+            # Sizes alone do not matter.
+            for a, b in zip(self.refined("hermite-circle", text, *options)[1], self.refined("hermite-circle", tiny, *options)[1]):
+                for u, v in zip(a, b):
+                    self.assertLess(abs(mpmath.mpf(u) - mpmath.mpf(v) * 10**25), mpmath.mpf(10)**-57)
+        # The last vertex repeats the first one to 1e-14 of the size, here 5.38..e-14.
+        for last, count in (("5.385e-14", 10), ("5.386e-14", 12)):
+            self.assertEqual(len(self.refined("hermite-circle", text + f"{last},0\n", *options)[1]), count)
+
     def test_points_in_space(self):
         # No plane: the least moments agree. Digits agree with more digits.
         self.refused("refine", "hermite-circle", "--levels", "1", self.path("t.csv", "1,1,1\n1,-1,-1\n-1,1,-1\n-1,-1,1\n"),
@@ -214,9 +241,16 @@ class Proofs(Files):
             path, claims = self.certificate(scheme, status=status)
             verdicts = {(c["claim"], c["subject"]): c["verdict"] for c in claims}
             self.assertEqual(verdicts.pop(("continuity", "2")), continuity)
+            self.assertEqual(verdicts.pop(("symmetric", ""), "refuted"), continuity)  # the same schemes
             self.assertEqual(set(verdicts.values()), {"proved"})
             self.assertIn("valid", self.check(path))
             self.assertIn("valid", self.twoscale("check", path))
+
+    def test_counterexamples(self):
+        path, claims = self.certificate("hermite-circle:w=7/5", "symmetric", "circle", status=1)
+        self.assertEqual([c["verdict"] for c in claims], ["refuted", "refuted"])
+        self.assertIn("30793/62500", claims[0]["witness"])
+        self.assertEqual(self.check(path).count("refuted  "), 2)
 
     def test_a_changed_coefficient_is_refused(self):
         path, _ = self.certificate("hermite-circle", "continuity=2")
@@ -256,6 +290,33 @@ class Proofs(Files):
             self.assertIn(done.returncode, (0, 1) if words[1] == "prove" else (0,), line + done.stderr)
         self.refused("report", "hermite2010", "--at", "w=2", "-o", directory, naming="hermite2010")
 
+    def test_scheme_pages(self):
+        import html
+        import re
+        import shlex
+        for scheme, verdicts in (("hermite-circle", [8, 0]), ("hermite-circle:w=7/5", [6, 3])):
+            directory = self.path("page")
+            summary = self.twoscale_json("report", scheme, "-o", directory)
+            self.assertTrue(summary["certificates_valid"])
+            self.assertEqual([summary["verdicts"][v] for v in ("proved", "refuted")], verdicts)
+            with open(os.path.join(directory, "index.html"), encoding="utf-8") as file:
+                page = file.read()
+            for section in ("definition", "claims", "smoothness", "spectrum", "pictures"):
+                self.assertIn(f'id="{section}"', page)
+            for name in ("claims", "smoothness"):
+                self.assertIn("valid", self.check(os.path.join(directory, "certificates", name + ".json")))
+            commands = [html.unescape(c) for c in re.findall(r'<span class="prompt">\$ </span>([^\n]*)', page)]
+            self.assertEqual(len(commands), 9)
+            for line in commands if "w=7/5" in scheme else []:
+                program, *words = shlex.split(line)
+                done = run(program, *words, cwd=directory)
+                self.assertIn(done.returncode, (0, 1) if words[0] == "prove" else (0,), line + done.stderr)
+        self.refused("report", "hermite-circle", "--at", "w=2", "-o", self.path("none"), naming="w=2")
+        self.assertFalse(os.path.exists(self.path("none")))
+        # Beyond the first pole of the sample points the page says so.
+        self.assertEqual(self.twoscale_json("report", "hermite-circle:w=100", "-o", self.path("far"))["pictures"], 1)
+        self.assertIn("| symmetric |  | proved |", self.twoscale("report", "hermite-circle", "--format", "md"))
+
     def test_other_schemes_of_blocks(self):
         scheme = self.path("h.toml", '[scheme]\nname = "h"\nblock = 2\n'
                            '[[phase]]\nresidue = 0\nstencil = {"0" = [["1", "0"], ["0", "1"]]}\n'
@@ -263,7 +324,9 @@ class Proofs(Files):
                            '"1" = [["1/2", "-1/8"], ["3/2", "-1/4"]]}\n')
         claims = self.twoscale_json("prove", scheme)["claims"]
         self.assertEqual([(c["claim"], c["subject"], c["verdict"]) for c in claims],
-                         [("interpolatory", "", "proved"), ("spectral", "3", "proved")])
+                         [("interpolatory", "", "proved"), ("symmetric", "", "proved"), ("spectral", "3", "proved")])
+        summary = self.twoscale_json("report", scheme, "-o", self.path("page"))
+        self.assertEqual((summary["verdicts"]["proved"], summary["pictures"]), (3, 0))
         self.assertIn("undecided", self.twoscale("prove", scheme, "--claim", "continuity=1", status=3))
         self.assertIn("undecided", self.twoscale("regularity", scheme, status=3))
 

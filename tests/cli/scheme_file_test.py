@@ -229,9 +229,9 @@ class Refused(SchemeFileTest):
         for file, word in ((block, "blocks"), (local, "local")):
             self.assertIn("rule", self.twoscale("show", file))
             self.twoscale_json("show", file)
-            for command in (["prove", file, "--claim", "symmetric"], ["table", file, "--levels", "1"],
-                            ["report", file, "-o", self.path("page")]):
+            for command in (["prove", file, "--claim", "sum-rules=2"], ["table", file, "--levels", "1"]):
                 self.refused(*command, naming=word)
+        self.refused("report", local, "-o", self.path("page"), naming="local")
         self.refused("regularity", local, naming="local")
         self.assertIn("undecided", self.twoscale("regularity", block, status=3))
         self.assertEqual(self.twoscale_json("prove", block)["claims"][0]["verdict"], "proved")

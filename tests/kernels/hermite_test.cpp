@@ -38,6 +38,27 @@ HermiteData<double> refined(HermiteData<double> d, unsigned levels, double w = 1
   return HermiteCurve<double>(std::move(d), w, tension).refined(levels);
 }
 
+/// Integers are exact: ties go to the first vertex.
+TEST(Hermite, MeasureOfExactPoints) {
+  const std::vector<int> square = {1, 1, 3, 1, 3, 3, 1, 3, -1, 3};
+  const HermiteMeasure m = hermite_measure<int>(square, 2);
+  EXPECT_EQ(m.farthest, 2U);
+  EXPECT_EQ(m.outermost, 2U);
+  EXPECT_EQ(m.apex, 4U);
+  EXPECT_FALSE(m.one_point);
+  EXPECT_TRUE(hermite_measure<int>(std::vector<int>{2, 2, 2, 2, 2, 2}, 3).one_point);
+  const std::vector<int> line = {0, 0, 0, 1, 1, 1, 2, 2, 2};
+  EXPECT_EQ(hermite_measure<int>(line, 3).farthest, 2U);
+  EXPECT_FALSE(hermite_measure<int>(line, 3).one_point);
+  // A curve measured by others is the same where it is not on a circle.
+  auto given = points(2, {0, 0, 4, -1, 5, 2, 2, 5, -1, 3});
+  const auto found = refined(given, 3);
+  given.measure = hermite_measure<double>(given.f, 2);
+  EXPECT_EQ(refined(given, 3).f, found.f);
+  given.measure->one_point = true;
+  EXPECT_THROW(refined(given, 3), Error);
+}
+
 TEST(Hermite, CirclesFromArbitrarySpacingBothDirectionsAndSeveralTurns) {
   const std::vector<std::vector<double>> cases = {
       {0.3, 0.5, 2.0, 3.9, 5.1},             // counterclockwise

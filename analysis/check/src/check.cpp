@@ -24,9 +24,9 @@ struct Kind {
   Finding (*of_rules)(const HermiteContext&, Fields&, bool) = nullptr;
 };
 
-constexpr std::array<Kind, 28> kinds{{
-    {"interpolatory", "definition", check_interpolatory},
-    {"symmetric", "definition", check_symmetric},
+constexpr std::array<Kind, 29> kinds{{
+    {"interpolatory", "definition", check_interpolatory, nullptr, nullptr, check_hermite_interpolatory},
+    {"symmetric", "definition", check_symmetric, nullptr, nullptr, check_reversal},
     {"sum-rules", "definition", check_sum_rules},
     {"generates", "generation-stepwise", check_generates},
     {"reproduces", "reproduction-stepwise", check_reproduces},
@@ -50,6 +50,7 @@ constexpr std::array<Kind, 28> kinds{{
     {"bezier-form", "hermite-interpolation", nullptr, nullptr, check_bezier_form},
     {"interpolant", "hermite-interpolation", nullptr, nullptr, nullptr, check_interpolant},
     {"circle", "hermite-interpolation", nullptr, nullptr, nullptr, check_circle},
+    {"spectral", "definition", nullptr, nullptr, nullptr, check_spectral},
     {"halves", "definition", nullptr, nullptr, nullptr, check_halves},
     {"continuity", "hermite-halves", nullptr, nullptr, nullptr, check_hermite_continuity},
     {"curvature", "hermite-halves", nullptr, nullptr, nullptr, check_curvature},

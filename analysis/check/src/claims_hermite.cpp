@@ -227,6 +227,11 @@ Ratio combination(const Fraction& factor, const Ratio& a, int sign, const Ratio&
   return r;
 }
 
+/// Later levels repeat a step only if old vertices stay.
+void require_kept(const HermiteContext& context) {
+  if (!context.rules.kept) throw Refused("old vertices do not stay");
+}
+
 const HermiteFacts::Interpolant& require_interpolant(const HermiteContext& context) {
   if (!context.facts.interpolant) throw Refused("a claim interpolant, verified, must come before");
   return *context.facts.interpolant;
@@ -258,6 +263,92 @@ Fraction series_of_bump(Meter& meter) {
                     total.denominator * (power - 1), meter);
   }
   return total;
+}
+
+// ---- Values at rational points
+
+Fraction plus(const Fraction& a, const Fraction& b, Meter& meter) {
+  return reduced(meter.multiply(a.numerator, b.denominator) + meter.multiply(b.numerator, a.denominator),
+                 meter.multiply(a.denominator, b.denominator), meter);
+}
+
+Fraction times(const Fraction& a, const Fraction& b, Meter& meter) {
+  return reduced(meter.multiply(a.numerator, b.numerator), meter.multiply(a.denominator, b.denominator), meter);
+}
+
+Fraction over(const Fraction& a, const Fraction& b, Meter& meter) {
+  if (b.numerator == 0) throw Refused("a denominator vanishes at the point");
+  Integer top = meter.multiply(a.numerator, b.denominator), bottom = meter.multiply(a.denominator, b.numerator);
+  if (bottom < 0) top = -top, bottom = -bottom;
+  return reduced(std::move(top), std::move(bottom), meter);
+}
+
+using RulePoint = std::array<Fraction, 4>;  // s_0, s_1, w, z
+
+Fraction value_at(const Polynomial& p, const RulePoint& at, Meter& meter) {
+  Fraction total;
+  for (const auto& [m, c] : p) {
+    Fraction term{c, 1};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const auto e = static_cast<std::uint64_t>(m[i]);
+      if (e > 0) term = times(term, {meter.power(at[i].numerator, e), meter.power(at[i].denominator, e)}, meter);
+    }
+    total = plus(total, term, meter);
+  }
+  return total;
+}
+
+Fraction value_at(const Ratio& r, const RulePoint& at, Meter& meter) {
+  return over(value_at(r.numerator, at, meter), value_at(r.denominator, at, meter), meter);
+}
+
+Fraction value_at(const Dense& p, const Fraction& x, Meter& meter) {
+  Fraction total;
+  for (std::size_t i = p.size(); i-- > 0;) total = plus(times(total, x, meter), {p[i], 1}, meter);
+  return total;
+}
+
+/// `at`: s_0, s_1, w; z follows.
+RulePoint read_point(Fields& witness, const HermiteRules& rules, Meter& meter) {
+  const std::vector<Value>& list = witness.take_array("at");
+  if (list.size() != 3) throw Malformed(witness.path("at") + ": values of s_0, s_1 and w are expected");
+  RulePoint at;
+  for (std::size_t i = 0; i < 3; ++i)
+    at[i] = parse_fraction(as_string(list[i], witness.path("at")), witness.path("at"), meter);
+  at[z] = value_at(rules.end, at, meter);
+  return at;
+}
+
+Fraction negative(Fraction x) {
+  x.numerator = -x.numerator;
+  return x;
+}
+
+/// The same step on the reversed polygon: s -> -s, the ends exchanged.
+RulePoint reversed(const RulePoint& at, const HermiteRules& rules, Meter& meter) {
+  RulePoint r{negative(at[s_1]), negative(at[s_0]), at[w], Fraction{}};
+  r[z] = value_at(rules.end, r, meter);
+  return r;
+}
+
+/// Row h and column (i, e) of the rule and of its mirror image have the same sign if h + i is even.
+bool is_odd(std::size_t row, std::size_t column) { return (row + column / 2) % 2 == 1; }
+
+std::size_t mirror_column(std::size_t column) { return column ^ 1U; }
+
+bool equal(const Fraction& a, const Fraction& b, Meter& meter) { return compare(a, b, meter) == 0; }
+
+/// The coefficient of d^exponent, in s and w; lower exponents must not occur.
+Polynomial coefficient_in_d(const Polynomial& p, int exponent) {
+  Polynomial result;
+  for (const auto& [m, c] : p) {
+    if (m[d] < exponent) throw Refused("the rule has no limit for small steps");
+    if (m[d] > exponent) continue;
+    Monomial rest = m;
+    rest[d] = 0;
+    result.emplace(rest, c);
+  }
+  return result;
 }
 
 /// B''(p/q).
@@ -295,6 +386,18 @@ HermiteRules read_hermite(const Value& value, Meter& meter) {
     }
     if (depends_on(r.denominator, s_1)) throw Malformed(where + ": s_0, w and z are expected");
     rules.rows.push_back(std::move(r));
+  }
+  const std::vector<Value>& old = fields.take_array("old");
+  if (old.size() != rows.size()) throw Malformed("hermite.old: a row for each derivative is expected");
+  rules.kept = true;
+  for (std::size_t h = 0; h < old.size(); ++h) {
+    const std::string where = "hermite.old[" + std::to_string(h) + "]";
+    const std::vector<Value>& row = as_array(old[h], where);
+    if (row.size() != old.size()) throw Malformed(where + ": a number for each derivative is expected");
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Fraction x = parse_fraction(as_string(row[i], where), where, meter);
+      rules.kept = rules.kept && x.denominator == 1 && x.numerator == (h == i ? 1 : 0);
+    }
   }
   fields.done();
   return rules;
@@ -412,28 +515,251 @@ Finding check_interpolant(const HermiteContext& context, Fields& fields, bool pr
           {"hermite-interpolation"}};
 }
 
+namespace {
+
+/// x^2 + y^2 of the new point, from data of the circle (cosine, sine)/base^power at the two ends.
+Fraction square_of_new_point(const HermiteContext& context, const std::array<const Dense*, 2>& circle,
+                             const RulePoint& at) {
+  Meter& meter = context.meter;
+  const HermiteRules& rules = context.rules;
+  const auto& f = *context.facts.interpolant;
+  for (const Polynomial* p : {&f.left.numerator, &f.left.denominator}) {
+    if (depends_on(*p, z)) throw Refused("the node of a vertex depends on its neighbour");
+  }
+  const Fraction scale = value_at(f.scale, at, meter);
+  std::array<Fraction, 2> node;
+  for (std::size_t e = 0; e < 2; ++e) {
+    RulePoint own = at;
+    own[s_0] = at[e == 0 ? s_0 : s_1];
+    node[e] = value_at(f.left, own, meter);
+  }
+  const Fraction bottom = value_at(rules.rows[0].denominator, at, meter);
+  Fraction square;
+  for (const Dense* component : circle) {
+    const std::vector<Dense> derivatives = jet(*component, f.base, f.power, rules.order, meter);
+    Fraction sum;
+    for (std::size_t e = 0; e < 2; ++e) {
+      const Fraction base = value_at(f.base, node[e], meter);
+      Fraction factor{1, 1};
+      for (std::size_t i = 0; i < static_cast<std::size_t>(f.power) + rules.order; ++i)
+        factor = over(factor, base, meter);
+      for (std::size_t i = 0; i <= rules.order; ++i) {
+        const Fraction datum = times(factor, value_at(derivatives[i], node[e], meter), meter);
+        sum = plus(sum, times(value_at(rules.rows[0].numerators[2 * i + e], at, meter), datum, meter), meter);
+        factor = times(factor, scale, meter);
+      }
+    }
+    sum = over(sum, bottom, meter);
+    square = plus(square, times(sum, sum, meter), meter);
+  }
+  return square;
+}
+
+}  // namespace
+
 Finding check_circle(const HermiteContext& context, Fields& fields, bool proved) {
-  require_proved(fields, proved);
   Meter& meter = context.meter;
   const auto& f = require_interpolant(context);
   const Dense c = read_dense(fields, "cosine", meter), t = read_dense(fields, "sine", meter);
-  if (static_cast<long>(std::max(c.size(), t.size())) - 1 > f.degree) throw Refused("the degrees are too large");
   Dense square = times(c, c, meter);
   square = minus(std::move(square), times(t, t, meter), -1);
   Dense radius{Integer(1)};
   for (int i = 0; i < 2 * f.power; ++i) radius = times(radius, f.base, meter);
   if (minus(square, radius, 1) != Dense{}) throw Refused("cosine^2 + sine^2 is not base^(2 power)");
   if (times(derivative(t), c, meter) == times(derivative(c), t, meter)) throw Refused("no arc: the angle is constant");
-  return {
-      "(data of the circle (cosine, sine)/base^power, multiplied by the scale, are refined to points of this circle)",
-      "cosine^2 + sine^2 = base^(2 power), within the degree",
-      {"hermite-interpolation"}};
+  const std::string subject =
+      "(data of the circle (cosine, sine)/base^power, multiplied by the scale, are refined to points of this circle)";
+  if (!proved) {
+    Fields witness(fields.take("witness"), fields.path("witness"));
+    const RulePoint at = read_point(witness, context.rules, meter);
+    const Fraction claimed = parse_fraction(witness.take_string("square"), witness.path("square"), meter);
+    witness.done();
+    if (at[w].numerator <= 0) throw Refused("w is not positive");
+    if (equal(at[s_0], at[s_1], meter)) throw Refused("the two vertices are equal");
+    if (!equal(square_of_new_point(context, {&c, &t}, at), claimed, meter)) {
+      throw Refused("x^2 + y^2 of the new point is another number");
+    }
+    if (equal(claimed, {1, 1}, meter)) throw Refused("the new point lies on the circle");
+    return {subject, "one step leaves the circle: computed at a rational point", {"hermite-interpolation"}};
+  }
+  if (static_cast<long>(std::max(c.size(), t.size())) - 1 > f.degree) throw Refused("the degrees are too large");
+  // The node of a vertex is the same for its two edges: else its data would be others for each.
+  if (!context.facts.rates || !context.facts.fit) throw Refused("a claim halves, verified, that fit, must come before");
+  return {subject, "cosine^2 + sine^2 = base^(2 power), within the degree", {"hermite-interpolation"}};
+}
+
+Finding check_hermite_interpolatory(const HermiteContext& context, Fields& fields, bool proved) {
+  require_proved(fields, proved);
+  require_kept(context);
+  return {"(old vertices stay, with their derivatives)", "their matrix is the identity", {"definition"}};
+}
+
+Finding check_reversal(const HermiteContext& context, Fields& fields, bool proved) {
+  Meter& meter = context.meter;
+  const HermiteRules& rules = context.rules;
+  const std::string subject =
+      "(the reversed polygon has the reversed refinement: s -> -s, ends exchanged, odd derivatives negated)";
+  require_kept(context);
+  const std::size_t columns = 2 * rules.rows.size();
+  if (!proved) {
+    Fields witness(fields.take("witness"), fields.path("witness"));
+    const RulePoint at = read_point(witness, rules, meter);
+    const auto row = static_cast<std::size_t>(witness.take_integer("row", 0, static_cast<long>(rules.order)));
+    const auto column = static_cast<std::size_t>(witness.take_integer("column", 0, static_cast<long>(columns) - 1));
+    const Fraction value = parse_fraction(witness.take_string("value"), witness.path("value"), meter);
+    const Fraction mirror = parse_fraction(witness.take_string("mirror"), witness.path("mirror"), meter);
+    witness.done();
+    if (at[w].numerator <= 0) throw Refused("w is not positive");
+    const auto entry = [&](const RulePoint& point, std::size_t of) {
+      return over(value_at(rules.rows[row].numerators[of], point, meter),
+                  value_at(rules.rows[row].denominator, point, meter), meter);
+    };
+    Fraction other = entry(reversed(at, rules, meter), mirror_column(column));
+    if (is_odd(row, column)) other = negative(other);
+    if (!equal(entry(at, column), value, meter)) throw Refused("the entry has another value");
+    if (!equal(other, mirror, meter)) throw Refused("the entry of the mirror image has another value");
+    if (equal(value, mirror, meter)) throw Refused("the two values are equal");
+    return {subject, "one entry differs from that of the mirror image, at a rational point", {"definition"}};
+  }
+  // numerator*denominator of the mirror image = +- the converse, with z = n/q put in and q^top cleared: an identity of
+  // polynomials in s_0, s_1, w.
+  long in_s = 0, in_w = 0, in_z = 0;
+  for (const auto& r : rules.rows) {
+    std::vector<const Polynomial*> all{&r.denominator};
+    for (const Polynomial& p : r.numerators) all.push_back(&p);
+    for (const Polynomial* p : all) {
+      in_s = std::max(in_s, top_degree({p}, s_0));
+      in_w = std::max(in_w, top_degree({p}, w));
+      in_z = std::max(in_z, top_degree({p}, z));
+    }
+  }
+  const long end_0 = top_degree(rules.end, s_0), end_1 = top_degree(rules.end, s_1), end_w = top_degree(rules.end, w);
+  const long both = in_s + in_z * (end_0 + end_1);
+  const std::vector<long> bound{both, both, 2 * (in_w + in_z * end_w)};
+  const std::vector<long> top{std::max({in_s, end_0, end_1}), std::max({in_s, end_0, end_1}), std::max(in_w, end_w)};
+  std::vector<bool> defined(rules.rows.size());
+  over_grid(bound, top, meter, [&](const std::vector<std::vector<Integer>>& at) {
+    using Powers = std::vector<std::vector<Integer>>;
+    const auto negated = [](std::vector<Integer> powers) {
+      for (std::size_t i = 1; i < powers.size(); i += 2) powers[i] = -powers[i];
+      return powers;
+    };
+    // Powers of s_0, s_1, w, and n^k q^(top - k).
+    const auto completed = [&](Powers powers) {
+      const Integer n = value_at(rules.end.numerator, powers, meter);
+      const Integer q = value_at(rules.end.denominator, powers, meter);
+      powers.emplace_back();
+      for (long k = 0; k <= in_z; ++k) {
+        powers.back().push_back(meter.multiply(meter.power(n, static_cast<std::uint64_t>(k)),
+                                               meter.power(q, static_cast<std::uint64_t>(in_z - k))));
+      }
+      return powers;
+    };
+    const Powers here = completed(at), there = completed({negated(at[1]), negated(at[0]), at[2]});
+    const auto of = [&](const Polynomial& p, const Powers& powers) {
+      Integer result = 0;
+      for (const auto& [m, c] : p) {
+        Integer term = meter.multiply(c, powers[z][static_cast<std::size_t>(m[z])]);
+        for (const std::size_t i : {std::size_t{s_0}, std::size_t{w}}) {
+          if (m[i] != 0) term = meter.multiply(term, powers[i][static_cast<std::size_t>(m[i])]);
+        }
+        result += term;
+      }
+      meter.spend(20 * p.size());
+      return result;
+    };
+    for (std::size_t h = 0; h < rules.rows.size(); ++h) {
+      const auto& r = rules.rows[h];
+      const Integer under = of(r.denominator, here), under_mirror = of(r.denominator, there);
+      defined[h] = defined[h] || (under != 0 && under_mirror != 0);
+      std::vector<Integer> tops, mirrors;
+      for (const Polynomial& p : r.numerators) {
+        tops.push_back(of(p, here));
+        mirrors.push_back(of(p, there));
+      }
+      for (std::size_t column = 0; column < columns; ++column) {
+        Integer other = meter.multiply(mirrors[mirror_column(column)], under);
+        if (is_odd(h, column)) other = -other;
+        if (meter.multiply(tops[column], under_mirror) != other) {
+          throw Refused("row " + std::to_string(h) + ", column " + std::to_string(column) +
+                        " of the rule is not that of its mirror image");
+        }
+      }
+    }
+  });
+  if (std::find(defined.begin(), defined.end(), false) != defined.end()) throw Refused("a row of the rule is a pole");
+  return {subject, "the rule equals its mirror image, identically in s_0, s_1, w", {"definition"}};
+}
+
+Finding check_spectral(const HermiteContext& context, Fields& fields, bool proved) {
+  require_proved(fields, proved);
+  Meter& meter = context.meter;
+  const HermiteRules& rules = context.rules;
+  const long order = fields.take_integer("order", 0, most_degree);
+  std::vector<Ratio> scales{ratio(constant(1))};
+  const std::vector<Value>& list = fields.take_array("scales");
+  if (list.size() != rules.order) throw Malformed(fields.path("scales") + ": one for each derivative is expected");
+  for (const Value& value : list) {
+    scales.push_back(read_ratio(value, rate_names, fields.path("scales"), meter));
+    for (const Polynomial* p : {&scales.back().numerator, &scales.back().denominator}) {
+      if (depends_on(*p, d)) throw Malformed(fields.path("scales") + ": s and w are expected");
+    }
+    if (scales.back().numerator.empty()) throw Refused("a scale is 0");
+  }
+  require_kept(context);
+  // s_0 = s, s_1 = s + d; row h, column (i, e) behaves like d^(i-h) times the rule on intervals of length 1.
+  const Ratio first = ratio(variable(s)), last = ratio(sum(variable(s), variable(d), 1, meter));
+  const Ratio factor = ratio(variable(tension));
+  const Ratio end = composed(rules.end, {&first, &last, &factor, &first}, meter);
+  if (end.denominator.empty()) throw Refused("the rule has no limit for small steps");
+  for (std::size_t h = 0; h <= rules.order; ++h) {
+    const auto& row = rules.rows[h];
+    std::vector<Ratio> limit;
+    for (std::size_t column = 0; column < row.numerators.size(); ++column) {
+      const Ratio entry = composed({row.numerators[column], row.denominator}, {&first, &last, &factor, &end}, meter);
+      if (entry.denominator.empty()) throw Refused("the rule has no limit for small steps");
+      const int least = lowest_in_d(entry.denominator);
+      limit.push_back({coefficient_in_d(entry.numerator, least + static_cast<int>(column / 2) - static_cast<int>(h)),
+                       coefficient_in_d(entry.denominator, least)});
+    }
+    for (long n = 0; n <= order; ++n) {
+      // n! 2^n times: the value and derivatives c_i x^(n-i)/(n-i)! at 0 and 1 give those at 1/2.
+      const auto falling = [&](std::size_t k) {
+        Integer r = 1;
+        for (std::size_t i = 0; i < k; ++i) r *= n - static_cast<long>(i);
+        return r;
+      };
+      Ratio error = ratio({});
+      const auto add = [&](const Ratio& x, const Integer& by) {
+        error = {sum(product(error.numerator, x.denominator, meter, no_limit),
+                     product(x.numerator, error.denominator, meter, no_limit), by, meter),
+                 product(error.denominator, x.denominator, meter, no_limit)};
+      };
+      if (static_cast<long>(h) <= n) add(scales[h], -(falling(h) << h));
+      for (std::size_t column = 0; column < row.numerators.size(); ++column) {
+        const std::size_t i = column / 2;
+        if (static_cast<long>(i) > n || (column % 2 == 0 && static_cast<long>(i) < n)) continue;
+        const Ratio& entry = limit[column];
+        add({product(entry.numerator, scales[i].numerator, meter, no_limit),
+             product(entry.denominator, scales[i].denominator, meter, no_limit)},
+            falling(i) << static_cast<unsigned>(n));
+      }
+      if (!error.numerator.empty()) {
+        throw Refused("x^" + std::to_string(n) + " is not reproduced by row " + std::to_string(h));
+      }
+    }
+  }
+  return {"(for small steps polynomials of degree <= " + std::to_string(order) +
+              " are reproduced, with derivatives in the scales: the spectral condition)",
+          "identities verified in the limit d -> 0",
+          {"definition"}};
 }
 
 Finding check_halves(const HermiteContext& context, Fields& fields, bool proved) {
   require_proved(fields, proved);
   Meter& meter = context.meter;
   const auto& f = require_interpolant(context);
+  require_kept(context);
   const std::string& fit = fields.take_string("fit");
   if (fit != "yes" && fit != "no") throw Malformed(fields.path("fit") + ": \"yes\" or \"no\" is expected");
   const Ratio left_rate = read_ratio(fields.take("left_rate"), rate_names, fields.path("left_rate"), meter);

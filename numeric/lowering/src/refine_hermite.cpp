@@ -130,19 +130,26 @@ Layout layout(const kernels::PointSet& points) {
   return at;
 }
 
-// The last vertex repeats the first one: as nearly as two points count as equal, its derivatives to 1e-9.
-bool returns(const kernels::PointSet& points, const Layout& at) {
-  const std::size_t last = points.size() - 1;
+// The last vertex repeats the first one: as nearly as two points count as equal, its derivatives to 1e-9. `values`: all
+// numbers of the file, N exact or double.
+template <class N>
+bool returns(const std::vector<N>& values, std::size_t columns, const Layout& at, const N& equal, const N& nearly) {
+  const std::size_t last = values.size() / columns - 1;
   if (last == 0) return false;
-  const auto gap = [&](const std::vector<std::size_t>& columns, std::size_t row) {
-    double square = 0;
-    for (const std::size_t c : columns) square += std::pow(points.values[c] - points.values[row * points.dim + c], 2);
-    return std::sqrt(square);
+  const auto square_of_gap = [&](const std::vector<std::size_t>& list, std::size_t row) {
+    N square(0);
+    for (const std::size_t c : list) {
+      const N d = values[c] - values[row * columns + c];
+      square = square + d * d;
+    }
+    return square;
   };
   for (const auto* list : {&at.f, &at.p, &at.r}) {
-    double size = 0;
-    for (std::size_t i = 1; i < last; ++i) size = std::max(size, gap(*list, i));
-    if (!(gap(*list, last) <= (list == &at.f ? 1e-14 : 1e-9) * size)) return false;
+    N size(0);
+    for (std::size_t i = 1; i < last; ++i)
+      if (const N own = square_of_gap(*list, i); size < own) size = own;
+    const N& tolerance = list == &at.f ? equal : nearly;
+    if (tolerance * tolerance * size < square_of_gap(*list, last)) return false;
   }
   return true;
 }
@@ -189,7 +196,14 @@ HermiteResult refine_hermite(const Scheme& scheme, const std::optional<ExactReal
   const auto tension = kernel_tension(scheme);
   const Layout in = layout(points);
   std::size_t n = points.size();
-  if (options.closed && returns(points, in)) --n;
+  std::vector<Rational> exact;  // with digits: the numbers of the file
+  if (options.digits > 0)
+    for (std::size_t i = 0; i < points.values.size(); ++i)
+      exact.push_back(exact_decimal(i < points.tokens.size() ? points.tokens[i] : kernels::shortest(points.values[i])));
+  if (options.closed &&
+      (options.digits > 0 ? returns<Rational>(exact, points.dim, in, Rational(10).pow(-14), Rational(10).pow(-9))
+                          : returns<double>(points.values, points.dim, in, 1e-14, 1e-9)))
+    --n;
   if (static_cast<double>(n) * std::pow(2.0, options.levels) > most_vertices ||
       (options.digits > 0 && static_cast<double>(n) * std::pow(2.0, options.levels) *
                                      static_cast<double>(3 * in.dim + 1) * (static_cast<double>(options.digits) + 64) >
@@ -240,18 +254,18 @@ HermiteResult refine_hermite(const Scheme& scheme, const std::optional<ExactReal
   }
   if (options.digits < 17 || options.digits > 10000)
     bad_input("digits must lie between 17 and 10000", std::to_string(options.digits));
+  const auto measure = kernels::hermite_measure<Rational>(
+      read_data<Rational>(points, in, n, options.closed, [&](std::size_t i) { return exact[i]; }).f, in.dim);
   // Errors of r grow like 4^levels.
   long guard = 20 + static_cast<long>(options.levels);
   std::string open;  // what the last attempt could not decide
   for (int attempt = 1; attempt <= most_attempts; ++attempt, guard = std::max(3 * guard, options.digits + guard)) {
     const long bits = static_cast<long>(std::ceil(static_cast<double>(options.digits + guard) * 3.3219281)) + 32;
-    const auto read = [&](std::size_t i) {
-      return Real(exact_decimal(i < points.tokens.size() ? points.tokens[i] : kernels::shortest(points.values[i])),
-                  bits);
-    };
+    const auto read = [&](std::size_t i) { return Real(exact[i], bits); };
     try {
-      const kernels::HermiteCurve<Real> curve(read_data<Real>(points, in, n, options.closed, read),
-                                              Real(w->enclose(bits), bits), tension);
+      kernels::HermiteData<Real> data = read_data<Real>(points, in, n, options.closed, read);
+      data.measure = measure;
+      const kernels::HermiteCurve<Real> curve(std::move(data), Real(w->enclose(bits), bits), tension);
       if (has_pole) result.first_pole = curve.first_pole();
       const std::vector<Real> fine = in_columns(curve.refined(options.levels), out, columns);
       std::vector<const Ball*> numbers;

@@ -81,6 +81,7 @@ std::string local_text(const Parameter& p) {
 }  // namespace
 
 Part definition(const Subject& s) {
+  if (s.scheme.block > 1) return definition_on_vertices(s);
   if (!is_uniform(s.scheme)) return definition_on_knots(s);
   Part part;
   const Laurent a = symbol(s.scheme);
@@ -121,7 +122,7 @@ Part parameters(const Subject& s) {
       const bool level = p.scope == Parameter::Scope::level;
       const std::string what =
           level ? (p.frequency ? prose(meaning(p, s.scheme.arity)) + "; " : "") + escaped(recurrence(p, s.scheme.arity))
-          : p.scope == Parameter::Scope::local ? local_text(p)
+          : p.scope == Parameter::Scope::local ? (s.scheme.block > 1 ? "of the vertices" : local_text(p))
                                                : "constant";
       const std::string domain = p.domain ? p.domain->to_string() : level ? "v^0 > -1" : "";
       part.html += fmt::format("<tr><td><math>{}</math></td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",

@@ -2,6 +2,7 @@
 // What is proved: the claims of the scheme, its exponents, the spectrum of its local matrix.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "sections.hpp"
@@ -10,6 +11,7 @@
 #include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/reports/html.hpp"
 #include "twoscale/symbolic/error.hpp"
+#include "twoscale/symbolic/hermite_circle.hpp"
 
 namespace twoscale::reports::scheme_page {
 
@@ -51,7 +53,21 @@ std::string theorems(const std::vector<Decision>& decisions) {
 
 Part claims(const Subject& s, SchemeReportSummary& summary) {
   Part part;
-  const analysis::Proof proof = analysis::prove(s.scheme, analysis::default_claims(s.scheme));
+  std::vector<Claim> asked = analysis::default_claims(s.scheme);
+  std::string claims;  // for the command, if they are not the default
+  if (s.scheme.block > 1) {
+    bool more = false;
+    for (const char* name : {"symmetric", "circle"}) {
+      const bool known = std::string(name) == "symmetric" || hermite_tension(s.scheme);
+      if (!known || std::any_of(asked.begin(), asked.end(), [&](const Claim& c) { return c.name == name; })) continue;
+      asked.push_back({name, "", ""});
+      more = true;
+    }
+    if (more) {
+      for (const Claim& c : asked) claims += " --claim " + c.name + (c.subject.empty() ? "" : "=" + c.subject);
+    }
+  }
+  const analysis::Proof proof = analysis::prove(s.scheme, asked);
   part.numbers = nlohmann::ordered_json::array();
   for (const auto& d : proof.decisions) {
     ++(d.verdict == Verdict::proved    ? summary.proved
@@ -59,16 +75,21 @@ Part claims(const Subject& s, SchemeReportSummary& summary) {
                                        : summary.undecided);
     part.numbers.push_back({{"claim", d.claim}, {"subject", d.subject}, {"verdict", to_string(d.verdict)}});
   }
-  part.html = s.scheme.claims.empty()
+  part.html = s.scheme.block > 1 ? "<p>Decided is what can be asked of rules for vertices with derivatives.</p>\n"
+              : s.scheme.claims.empty()
                   ? "<p>No source claims anything; decided is what can be asked of any mask.</p>\n"
                   : "<p>The claims of the scheme’s source, for all values of its parameters at once.</p>\n";
   part.html += verdict_table(proof.decisions);
   if (const std::string names = theorems(proof.decisions); !names.empty())
     part.html += "<p class=\"small\">Theorems named in the certificate: " + names + ".</p>\n";
-  if (!proof.certificate.empty())
-    part.html += certificate_html(part, s.prefix + "claims", proof.certificate, s.options.checker);
-  part.html += commands_html({"twoscale prove " + s.name + " --certificate certificates/" + s.prefix + "claims.json",
-                              "twoscale-check certificates/" + s.prefix + "claims.json"});
+  if (proof.certificate.empty()) {
+    part.html += commands_html({"twoscale prove " + s.name + claims});
+    return part;
+  }
+  part.html += certificate_html(part, s.prefix + "claims", proof.certificate, s.options.checker);
+  part.html +=
+      commands_html({"twoscale prove " + s.name + claims + " --certificate certificates/" + s.prefix + "claims.json",
+                     "twoscale-check certificates/" + s.prefix + "claims.json"});
   return part;
 }
 
@@ -138,6 +159,23 @@ Part smoothness(const Subject& s) {
   return part;
 }
 
+std::string eigenvalue_table(Part& part, const analysis::Spectrum& found) {
+  std::string html =
+      "<div class=\"wide\"><table class=\"narrow\"><thead><tr><th>eigenvalue</th><th>decimal</th><th>multiplicity</th>"
+      "<th>geometric</th></tr></thead><tbody>\n";
+  part.numbers = nlohmann::ordered_json::array();
+  for (const auto& e : found.eigenvalues) {
+    const auto& f = found.factors[e.factor];
+    const std::string exact = e.exact.empty()
+                                  ? "a root of " + escaped(analysis::polynomial_text(f.polynomial, found.variable))
+                                  : formula("", e.exact);
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", exact, escaped(e.decimal),
+                        f.multiplicity, f.geometric);
+    part.numbers.push_back(e.exact.empty() ? e.decimal : e.exact);
+  }
+  return html + "</tbody></table></div>\n";
+}
+
 Part spectrum(const Subject& s) {
   Part part;
   const auto limit = limit_symbol(s.fixed);
@@ -155,21 +193,9 @@ Part spectrum(const Subject& s) {
     return part;
   }
   const auto size = static_cast<long>(found.matrix.entries.rows());
-  part.html += fmt::format(
-      "<p>{0} rows, indices {1} to {2}, of the {3}.</p>\n<div class=\"wide\"><table class=\"narrow\"><thead><tr>"
-      "<th>eigenvalue</th><th>decimal</th><th>multiplicity</th><th>geometric</th></tr></thead><tbody>\n",
-      size, found.matrix.lowest, found.matrix.lowest + size - 1, is_stationary(s.scheme) ? "mask" : "limit mask");
-  part.numbers = nlohmann::ordered_json::array();
-  for (const auto& e : found.eigenvalues) {
-    const auto& f = found.factors[e.factor];
-    const std::string exact = e.exact.empty()
-                                  ? "a root of " + escaped(analysis::polynomial_text(f.polynomial, found.variable))
-                                  : formula("", e.exact);
-    part.html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", exact, escaped(e.decimal),
-                             f.multiplicity, f.geometric);
-    part.numbers.push_back(e.exact.empty() ? e.decimal : e.exact);
-  }
-  part.html += "</tbody></table></div>\n";
+  part.html += fmt::format("<p>{} rows, indices {} to {}, of the {}.</p>\n", size, found.matrix.lowest,
+                           found.matrix.lowest + size - 1, is_stationary(s.scheme) ? "mask" : "limit mask") +
+               eigenvalue_table(part, found);
   const auto& n = found.necessary;
   part.html += n.order < 0
                    ? "<p>The necessary conditions for continuity fail: " + prose(n.obstruction) + ".</p>\n"

@@ -51,6 +51,14 @@ std::string command_values(const lowering::Binding& b, const Scheme& scheme) {
 }  // namespace
 
 Subject scheme_page::subject_of(const Scheme& scheme, const SchemeReportOptions& o) {
+  if (scheme.block > 1) {
+    if (o.v0 || o.t || !o.at.empty())
+      bad_input("report: what is said of a scheme of blocks is said for the values in its name, not for",
+                o.v0  ? *o.v0
+                : o.t ? *o.t
+                      : o.at[0].first + "=" + o.at[0].second);
+    return {scheme, scheme, true, {}, o, shell_quoted(o.name), "", ""};
+  }
   if (scheme.kernel.empty()) symbol(scheme);  // refuses what has none
   lowering::Binding binding = binding_of(scheme, o);
   std::vector<std::pair<std::string, RationalFunction>> values;
@@ -85,7 +93,14 @@ SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string&
   add("derivation", "Derivation", scheme_page::derivation(s));
   tell("claims");
   add("claims", "What is proved", scheme_page::claims(s, summary));
-  if (is_uniform(scheme)) {
+  if (scheme.block > 1) {
+    tell("smoothness");
+    add("smoothness", "Smoothness", scheme_page::smoothness_on_vertices(s));
+    tell("spectrum");
+    add("spectrum", "Spectrum", scheme_page::spectrum_on_vertices(s), "Spectrum for small steps");
+    tell("pictures");
+    add("pictures", "Pictures", scheme_page::pictures_on_vertices(s));
+  } else if (is_uniform(scheme)) {
     tell("smoothness");
     add("smoothness", "Smoothness", scheme_page::smoothness(s));
     tell("spectrum");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "page.hpp"
+#include "twoscale/analysis/spectrum.hpp"
 #include "twoscale/lowering/lower.hpp"
 #include "twoscale/reports/scheme_report.hpp"
 
@@ -20,7 +21,8 @@ struct Subject {
   std::string prefix;  // of the names of its files, where a page is about several schemes
 };
 
-// Refuses a scheme without a symbol, and a constant without a value.
+// Refuses a scalar scheme without a symbol, and a constant of such a one without a value; values for a scheme of
+// blocks.
 Subject subject_of(const Scheme& scheme, const SchemeReportOptions& options);
 
 Part definition(const Subject& s);
@@ -29,8 +31,15 @@ Part derivation(const Subject& s);  // empty without a space
 Part claims(const Subject& s, SchemeReportSummary& summary);
 Part smoothness(const Subject& s);
 Part spectrum(const Subject& s);
+std::string eigenvalue_table(Part& part, const analysis::Spectrum& found);  // its numbers go into the part
 Part masks(const Subject& s);
 Part play(const Subject& s);
 Part pictures(const Subject& s);
+
+// The same of a scheme whose vertices carry derivatives.
+Part definition_on_vertices(const Subject& s);
+Part smoothness_on_vertices(const Subject& s);
+Part spectrum_on_vertices(const Subject& s);
+Part pictures_on_vertices(const Subject& s);  // empty for rules that no kernel refines by
 
 }  // namespace twoscale::reports::scheme_page

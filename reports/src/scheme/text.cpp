@@ -26,11 +26,29 @@ std::string mask_table(const Scheme& scheme) {
   return s;
 }
 
+// Of a scheme whose vertices carry derivatives: the entries that are not 0.
+std::string rule_table(const Scheme& scheme) {
+  const auto block = static_cast<std::size_t>(scheme.block);
+  std::string s = "# " + scheme.id + "\n\n" + scheme.title +
+                  ".\n\n| new vertex | derivative | old vertex | derivative | factor |\n|---|---|---|---|---|\n";
+  for (std::size_t phase = 0; phase < scheme.phases.size(); ++phase) {
+    const Stencil& stencil = scheme.phases[phase];
+    for (std::size_t i = 0; i < stencil.blocks.size(); ++i)
+      for (std::size_t e = 0; e < stencil.blocks[i].size(); ++e)
+        if (const RationalFunction& c = stencil.blocks[i][e]; !c.is_zero())
+          s += fmt::format("| {}j+{} | {} | j{:+} | {} | `{}` |\n", scheme.arity, phase, e / block,
+                           stencil.lowest + static_cast<long>(i), e % block, c.to_string());
+  }
+  return s;
+}
+
 }  // namespace
 
 std::string scheme_markdown(const Scheme& scheme) {
-  symbol(scheme);  // refuses what has none
-  std::string s = scheme.space ? to_markdown(derive(scheme)) : mask_table(scheme);
+  if (scheme.block == 1) symbol(scheme);  // refuses what has none
+  std::string s = scheme.space       ? to_markdown(derive(scheme))
+                  : scheme.block > 1 ? rule_table(scheme)
+                                     : mask_table(scheme);
   s += "\n## What is proved\n\n| claim | subject | verdict | for | except |\n|---|---|---|---|---|\n";
   for (const auto& d : analysis::prove(scheme, analysis::default_claims(scheme)).decisions) {
     std::string exceptions;

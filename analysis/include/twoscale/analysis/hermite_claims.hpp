@@ -3,9 +3,11 @@
 //
 //   claim             subject   what is decided
 //   interpolatory     -         old vertices stay, with their derivatives or constant multiples of them
+//   symmetric         -         the reversed data (vertex j at -j, s -> -s, odd derivatives negated) have the reversed
+//                               refinement, identically
 //   spectral          N (the largest if empty)   the mask for small steps has the spectral condition of order N at
-//   least interpolant       -         a step is the value with derivatives, at the middle in sigma, of the rational
-//   quintic of
+//                               least
+//   interpolant       -         a step is the value with derivatives, at the middle in sigma, of the rational quintic of
 //                               hermite2010, Definition 4, through the data of the ends (with the printed tension: on
 //                               the interval up to s_0 + w (s_1 - s_0)); with its Bezier form (3)-(7), Hermite
 //                               conditions (2) and denominator

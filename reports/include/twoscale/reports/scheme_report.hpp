@@ -37,8 +37,9 @@ struct SchemeReportSummary {
 };
 
 // Writes directory/index.html (self-contained: pictures and certificates are embedded), and beside it certificates/,
-// figures/ (SVG), data/ and report.json. Makes the directory. Throws Error(bad_input) for a scheme without a symbol
-// (blocks, local parameters) that is none of those on knots and for a constant without a value; Error(io).
+// figures/ (SVG), data/ and report.json. Makes the directory. Throws Error(bad_input) for a scalar scheme without a symbol
+// (local parameters) that is none of those on knots, for a constant of such a one without a value, and for values given
+// for a scheme of blocks; Error(io).
 SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string& directory,
                                         const SchemeReportOptions& options);
 

@@ -76,6 +76,9 @@ Finding check_bezier_form(Meter& meter, Fields& fields, bool proved);
 /// Rules of a Hermite scheme. The later ones need what the earlier ones establish.
 Finding check_interpolant(const HermiteContext& context, Fields& fields, bool proved);
 Finding check_circle(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_hermite_interpolatory(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_reversal(const HermiteContext& context, Fields& fields, bool proved);
+Finding check_spectral(const HermiteContext& context, Fields& fields, bool proved);
 Finding check_halves(const HermiteContext& context, Fields& fields, bool proved);
 Finding check_hermite_continuity(const HermiteContext& context, Fields& fields, bool proved);
 Finding check_curvature(const HermiteContext& context, Fields& fields, bool proved);

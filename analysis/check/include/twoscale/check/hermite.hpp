@@ -28,7 +28,7 @@ inline const std::array<std::string, 3> bezier_names{"a", "b", "x"};
 
 /// A vertex carries f, p_1, .., p_order; the new vertex of an edge whose ends have the parameters s_0, s_1 has row h of
 /// rule(s_0, z, w) applied to f_0, f_1, p_0, p_1, .. of the ends, z = end(s_0, s_1, w); its parameter is the middle:
-/// (s_0 + s_1)(1 - s^2) = 2 s (1 - s_0 s_1). Old vertices stay.
+/// (s_0 + s_1)(1 - s^2) = 2 s (1 - s_0 s_1). An old vertex gets the matrix `old` times itself.
 struct HermiteRules {
   std::size_t order = 2;
   Ratio end;
@@ -37,6 +37,7 @@ struct HermiteRules {
     Polynomial denominator;
   };
   std::vector<Row> rows;  ///< order + 1
+  bool kept = false;      ///< `old` is the identity
 };
 
 /// What claims so far have established.

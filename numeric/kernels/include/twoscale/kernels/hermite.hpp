@@ -34,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -47,6 +48,51 @@ namespace twoscale::kernels {
 
 enum class HermiteRuleTension { printed, c2 };
 
+/// The vertices that measure data: `farthest` from vertex 0, `outermost` from the origin, `apex` the one that spans the
+/// largest triangle with vertex 0 and the farthest; the first one where several do. Which of them is taken matters
+/// where points are on a circle, or on a line, only nearly.
+struct HermiteMeasure {
+  std::size_t farthest = 0;
+  std::size_t outermost = 0;
+  std::size_t apex = 1;
+  bool one_point = true;  ///< all vertices are equal
+};
+
+/// Component c of vertex j at [j*dim + c], dim = 2 or 3. N needs + - * < and a constructor from int: exact numbers have
+/// an exact answer, double that of rounded numbers.
+template <class N>
+HermiteMeasure hermite_measure(std::span<const N> points, std::size_t dim) {
+  const std::size_t n = points.size() / dim;
+  const auto side = [&](std::size_t i) {
+    std::array<N, 3> d = {N(0), N(0), N(0)};
+    for (std::size_t c = 0; c < dim; ++c) d[c] = points[i * dim + c] - points[c];
+    return d;
+  };
+  const auto square = [](const std::array<N, 3>& d) { return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; };
+  HermiteMeasure m;
+  N distance(0);
+  N norm(0);
+  N area(0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const N own = square(side(i));
+    if (distance < own) distance = own, m.farthest = i;
+    std::array<N, 3> place = {N(0), N(0), N(0)};
+    for (std::size_t c = 0; c < dim; ++c) place[c] = points[i * dim + c];
+    const N far = square(place);
+    if (norm < far) norm = far, m.outermost = i;
+  }
+  m.one_point = !(N(0) < distance);
+  m.apex = m.farthest == 1 ? 2 : 1;
+  if (m.one_point) return m;
+  const std::array<N, 3> a = side(m.farthest);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::array<N, 3> b = side(i);
+    const N own = square({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+    if (area < own) area = own, m.apex = i;
+  }
+  return m;
+}
+
 /// n vertices of `dim` = 2 or 3 components: component c of vertex j at [j*dim + c].
 template <class T>
 struct HermiteData {
@@ -54,6 +100,7 @@ struct HermiteData {
   std::vector<T> f, p, r;  ///< n*dim each; p and r empty: to be found
   std::vector<T> sigma;    ///< n, or empty: to be found
   bool closed = true;
+  std::optional<HermiteMeasure> measure;  ///< of f, found by the caller in exact numbers; else in double
 
   std::size_t size() const { return dim == 0 ? 0 : f.size() / dim; }
 };
@@ -109,10 +156,6 @@ Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
 template <class T>
 T norm(const Vector<T>& a) {
   return sqrt(dot(a, a));
-}
-template <class T>
-Vector<double> estimates(const Vector<T>& a) {
-  return {{estimate(a.c[0]), estimate(a.c[1]), estimate(a.c[2])}};
 }
 /// 10^-digits.
 template <class T>
@@ -245,37 +288,31 @@ struct HermiteAngles {
 ///   bunches      where a step is less than 1/64 of the mean one, chord lengths mapped to [-pi, pi] take the place of
 ///                angles.
 /// `invariant`: the axis is replaced by the data's own (closed: sigma_0 = -pi; open: the range is centred on 0), so
-/// that rigid motions of the points do not change sigma. Errors: fewer than 3 points, equal neighbours, all points on a
-/// line.
+/// that rigid motions of the points do not change sigma. `measured`: as in HermiteData. Errors: fewer than 3 points,
+/// equal neighbours, all points on a line.
 template <class T>
-HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool closed, bool invariant) {
+HermiteAngles<T> hermite_angles(std::span<const T> points, std::size_t dim, bool closed, bool invariant,
+                                const std::optional<HermiteMeasure>& measured = {}) {
   using namespace hermite_detail;
   const std::size_t n = points.size() / dim;
   std::vector<Vector<T>> f(n);
-  std::vector<Vector<double>> e(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t c = 0; c < dim; ++c) f[i].c[c] = points[i * dim + c];
-    e[i] = estimates(f[i]);
-  }
+  std::vector<double> estimates;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t c = 0; c < dim; ++c) {
+      f[i].c[c] = points[i * dim + c];
+      if (!measured) estimates.push_back(estimate(f[i].c[c]));
+    }
   const auto distance = [](const auto& a, const auto& b) { return norm(a - b); };
-  // The vertices that measure the data: any that are nearly the farthest do.
-  std::size_t farthest = 0;
-  std::size_t outermost = 0;
-  for (std::size_t i = 1; i < n; ++i) {
-    if (distance(e[i], e[0]) > distance(e[farthest], e[0])) farthest = i;
-    if (norm(e[i]) > norm(e[outermost])) outermost = i;
-  }
-  if (n > 1 && !(distance(e[farthest], e[0]) > 0)) refuse("all points are equal");
+  const HermiteMeasure measure = measured ? *measured : hermite_measure<double>(estimates, dim);
+  const std::size_t farthest = measure.farthest;
+  const std::size_t apex = measure.apex;
+  if (n > 1 && measure.one_point) refuse("all points are equal");
   if (n < 3) refuse("a Hermite curve needs at least 3 points, not " + std::to_string(n));
   const T size = distance(f[farthest], f[0]);
-  const T far = norm(f[outermost]);
+  const T far = norm(f[measure.outermost]);
   for (std::size_t i = 0; i + (closed ? 0U : 1U) < n; ++i)
     if (!is_less(tiny<T>(14) * size, distance(f[i], f[(i + 1) % n]), "two points are equal"))
       refuse("points " + std::to_string(i) + " and " + std::to_string((i + 1) % n) + " are equal");
-  double widest = 0;
-  std::size_t apex = farthest == 1 ? 2 : 1;
-  for (std::size_t i = 0; i < n; ++i)
-    if (const double area = norm(cross(e[farthest] - e[0], e[i] - e[0])); area > widest) widest = area, apex = i;
   const T spread = norm(cross(f[farthest] - f[0], f[apex] - f[0]));
   if (!is_less(tiny<T>(12) * size * size, spread, "all points lie on a line")) refuse("all points lie on a line");
 
@@ -567,9 +604,9 @@ class HermiteCurve {
     HermiteAngles<T> angles;
     const bool found = data_.sigma.empty();
     if (found) {
-      angles = hermite_angles<T>(data_.f, dim, data_.closed, !given);
+      angles = hermite_angles<T>(data_.f, dim, data_.closed, !given, data_.measure);
     } else {
-      (void)hermite_angles<T>(data_.f, dim, data_.closed, false);  // refuses unusable points
+      (void)hermite_angles<T>(data_.f, dim, data_.closed, false, data_.measure);  // refuses unusable points
       angles.sigma = data_.sigma;
       for (std::size_t i = 0; i + 1 < n; ++i)
         if (!is_less(angles.sigma[i] + tiny<T>(30), angles.sigma[i + 1], "sigma ascends"))
