@@ -49,15 +49,14 @@ int run_on_knots(const Options& o, const Common& common, const Scheme& s, const 
   if (!o.open.empty()) knots.boundary = kernels::parse_boundary(o.open);
   knots.parametrization = kernels::parse_parametrization(o.parametrization.value_or("centripetal"));
   knots.reparametrize = o.reparametrize;
-  if (sampled && o.digits != 0)
-    bad_input("--digits is there for lagrange4, nuli4 and nuli6, and uniform schemes", s.id);
   const kernels::PointSet in = kernels::read_points(o.input);
   if (!o.parametrization && !o.reparametrize &&
       std::find(in.columns.begin(), in.columns.end(), "d") != in.columns.end())
     knots.parametrization = kernels::Parametrization::given;
   kernels::PointSet out;
   if (sampled) {
-    out = lowering::refine_by_weights(*sampled, in, knots);
+    out = o.digits == 0 ? lowering::refine_by_weights(*sampled, in, knots)
+                        : lowering::refine_by_weights(*sampled, in, knots, o.digits);
   } else {
     const kernels::KnotRule rule = kernels::parse_knot_rule(s.kernel);
     out = o.digits == 0 ? kernels::refine_on_knots(in, rule, knots)

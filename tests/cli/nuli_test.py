@@ -117,6 +117,14 @@ class Nuli(ProgramTest):
         for x, y in zip(a, b):
             for u, v in zip(x.split(","), y.split(",")):
                 self.assertAlmostEqual(float(u), float(v), 12)
+        exact = self.twoscale("refine", "nuli:n=6", "--levels", "2", "--digits", "25", data).split()
+        self.assertEqual(exact[1::4], rows[1::4])
+        self.assertEqual([len(r.split(",")) for r in exact], [4] * 17)
+        for x, y in zip(exact[1:], rows[1:]):
+            for u, v in zip(x.split(","), y.split(",")):
+                self.assertAlmostEqual(float(u), float(v), 10)
+        self.refused("refine", "nuli:n=6", "--levels", "1", "--digits", "25", "--parametrization", "chordal", data,
+                     naming="nuli:n=6")
         self.refused("stencil", "nuli:n=6", "--at", "d=[1,1,1,a,1,1,1,1,1]", naming="a")
         self.refused("stencil", "nuli:n=6", "--at", "d=[1,1,1,1]", naming="[1,1,1,1]")
         self.refused("stencil", "nuli:n=4", "--at", "d=[1,a,1,1,1],lambda=[0,1,1/2]", naming="a")

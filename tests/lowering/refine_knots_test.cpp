@@ -104,6 +104,21 @@ TEST(RefineByWeights, AgreesWithKernels) {
       ASSERT_EQ(fine.values.size(), expected.values.size());
       for (size_t i = 0; i < fine.values.size(); ++i) EXPECT_NEAR(fine.values[i], expected.values[i], 1e-12);
     }
+  // With digits: the same tokens as the kernels' rules in rational arithmetic, and the doubles of order 6.
+  for (const auto& [scheme, rule] : {std::pair("nuli:n=3", KnotRule::nuli4), std::pair("nuli:n=4", KnotRule::nuli6)})
+    for (const Boundary boundary : {Boundary::closed, Boundary::linear})
+      for (const KnotOptions& options : {KnotOptions{2, boundary, Parametrization::given, false},
+                                         KnotOptions{3, boundary, Parametrization::uniform, true}})
+        EXPECT_EQ(refine_by_weights(*sampled_scheme(scheme), edges, options, 30).tokens,
+                  refine_on_knots(edges, rule, options, 30).tokens);
+  const KnotOptions two{2, Boundary::closed, Parametrization::given, false};
+  const auto many = refine_by_weights(*sampled_scheme("nuli:n=6"), edges, two, 40);
+  const auto few = refine_by_weights(*sampled_scheme("nuli:n=6"), edges, two);
+  ASSERT_EQ(many.tokens.size(), few.values.size());
+  for (size_t i = 0; i < few.values.size(); ++i)
+    EXPECT_NEAR(value(many.tokens[i]), few.values[i], 1e-10 * (1 + std::abs(few.values[i])));
+  EXPECT_THROW(refine_by_weights(*sampled_scheme("nuli:n=6"), points, {}, 40), Error);  // irrational ratios
+  EXPECT_THROW(refine_by_weights(*sampled_scheme("nuli:n=6"), edges, two, 16), Error);
   std::string text = "x,y,d\n";
   double x = -2;
   for (int j = 0; j < 20; ++j) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "digits.hpp"
+#include "exact_knots.hpp"
 #include "rounding.hpp"
 #include "twoscale/kernels/number_text.hpp"
 #include "twoscale/symbolic/error.hpp"
@@ -91,45 +92,8 @@ std::vector<Rational> squared_lengths(const KnotPolygon<Rational>& p) {
   return q;
 }
 
-// The polygon as it is read; d: what is given, 1, or, for intervals from the points, the squared lengths.
-KnotPolygon<Rational> exact_polygon(const kernels::PointSet& points, const kernels::KnotColumns& columns,
-                                    const kernels::KnotOptions& options) {
-  KnotPolygon<Rational> p;
-  p.dim = columns.coordinates.size();
-  p.closed = options.boundary == kernels::Boundary::closed;
-  const auto number = [&](std::size_t j, std::size_t c) {
-    const std::size_t at = j * points.dim + c;
-    return exact_decimal(at < points.tokens.size() ? points.tokens[at] : kernels::shortest(points.values[at]));
-  };
-  for (std::size_t j = 0; j < points.size(); ++j)
-    for (const std::size_t c : columns.coordinates) p.points.push_back(number(j, c));
-  for (std::size_t e = 0; e < p.edges(); ++e) {
-    p.lambda.push_back(columns.lambda ? number(e, *columns.lambda) : Rational(1, 2));
-    if (options.parametrization == Parametrization::given)
-      p.d.push_back(number(e, *columns.d));
-    else if (options.parametrization == Parametrization::uniform)
-      p.d.emplace_back(1);
-  }
-  if (p.d.empty()) p.d = squared_lengths(p);
-  p.tagged = kernels::tags_of(points, columns, p);
-  return p;
-}
-
 // Which root of the squared length an interval is.
 int root_of(Parametrization kind) { return kind == Parametrization::chordal ? 2 : 4; }
-
-// Intervals over that of the first edge that is not 0, if all of them are rational; rules do not see a common factor.
-std::optional<std::vector<Rational>> rational_intervals(const KnotPolygon<Rational>& p, Parametrization kind) {
-  std::vector<Rational> d;
-  Rational first;
-  for (const Rational& q : p.d) {
-    if (first.is_zero()) first = q;
-    const auto root = q.is_zero() ? Rational() : exact_root(q / first, root_of(kind));
-    if (!root) return std::nullopt;
-    d.push_back(*root);
-  }
-  return d;
-}
 
 KnotReal root(const Ball& square, Parametrization kind, long bits) {
   Ball r;
@@ -193,20 +157,67 @@ kernels::PointSet empty_like(const kernels::PointSet& points) {
 
 }  // namespace
 
+KnotPolygon<Rational> exact_polygon(const kernels::PointSet& points, const kernels::KnotColumns& columns,
+                                    const kernels::KnotOptions& options, const Rational& rest) {
+  KnotPolygon<Rational> p;
+  p.dim = columns.coordinates.size();
+  p.closed = options.boundary == kernels::Boundary::closed;
+  const auto number = [&](std::size_t j, std::size_t c) {
+    const std::size_t at = j * points.dim + c;
+    return exact_decimal(at < points.tokens.size() ? points.tokens[at] : kernels::shortest(points.values[at]));
+  };
+  for (std::size_t j = 0; j < points.size(); ++j)
+    for (const std::size_t c : columns.coordinates) p.points.push_back(number(j, c));
+  for (std::size_t e = 0; e < p.edges(); ++e) {
+    p.lambda.push_back(columns.lambda ? number(e, *columns.lambda) : rest);
+    if (options.parametrization == Parametrization::given)
+      p.d.push_back(number(e, *columns.d));
+    else if (options.parametrization == Parametrization::uniform)
+      p.d.emplace_back(1);
+  }
+  if (p.d.empty()) p.d = squared_lengths(p);
+  p.tagged = kernels::tags_of(points, columns, p);
+  return p;
+}
+
+std::optional<std::vector<Rational>> rational_intervals(const KnotPolygon<Rational>& p, Parametrization kind) {
+  if (kind != Parametrization::chordal && kind != Parametrization::centripetal) return p.d;
+  std::vector<Rational> d;
+  Rational first;
+  for (const Rational& q : p.d) {
+    if (first.is_zero()) first = q;
+    const auto root = q.is_zero() ? Rational() : exact_root(q / first, root_of(kind));
+    if (!root) return std::nullopt;
+    d.push_back(*root);
+  }
+  return d;
+}
+
+kernels::PointSet rounded_points(const kernels::PointSet& points, const kernels::KnotColumns& columns,
+                                 const KnotPolygon<Rational>& p, long digits) {
+  kernels::PointSet out = empty_like(points);
+  const auto put = [&](const Rational& x) {
+    out.tokens.push_back(rounded(x, digits).text);
+    out.values.push_back(rounded_double(x));
+  };
+  for_each_number(points, columns, p, put, put);
+  return out;
+}
+
 kernels::PointSet refine_on_knots(const kernels::PointSet& points, kernels::KnotRule rule,
                                   const kernels::KnotOptions& options, long digits) {
   if (digits < 17 || digits > 10000) bad_input("digits must lie between 17 and 10000", std::to_string(digits));
   const kernels::KnotColumns columns = kernels::knot_columns(points, options);
   check_output_size(std::ldexp(static_cast<double>(points.size()), options.levels), points.dim, digits,
                     std::to_string(points.size()) + " points, " + std::to_string(options.levels) + " levels");
-  const KnotPolygon<Rational> read = exact_polygon(points, columns, options);
+  const KnotPolygon<Rational> read = exact_polygon(points, columns, options, Rational(1, 2));
   kernels::validate(read, rule, options.boundary);
   const Parametrization kind = options.parametrization;
   const bool from_points = kind == Parametrization::chordal || kind == Parametrization::centripetal;
   const bool again = options.reparametrize && from_points;
 
   // Rational throughout; only a column d of roots would not be.
-  const auto d = from_points ? rational_intervals(read, kind) : std::optional(read.d);
+  const auto d = rational_intervals(read, kind);
   if (d && !again && !(from_points && columns.d)) {
     KnotPolygon<Rational> p = read;
     p.d = *d;
@@ -216,13 +227,7 @@ kernels::PointSet refine_on_knots(const kernels::PointSet& points, kernels::Knot
     }
     if (options.reparametrize && options.levels > 0) p.d.assign(p.edges(), Rational(1, 2));
     p = cropped_to(std::move(p), rule, options);
-    kernels::PointSet out = empty_like(points);
-    const auto put = [&](const Rational& x) {
-      out.tokens.push_back(rounded(x, digits).text);
-      out.values.push_back(rounded_double(x));
-    };
-    for_each_number(points, columns, p, put, put);
-    return out;
+    return rounded_points(points, columns, p, digits);
   }
 
   constexpr int most_attempts = 6;

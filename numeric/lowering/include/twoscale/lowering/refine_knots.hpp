@@ -24,4 +24,10 @@ kernels::PointSet refine_on_knots(const kernels::PointSet& points, kernels::Knot
 kernels::PointSet refine_by_weights(const SampledScheme& scheme, const kernels::PointSet& points,
                                     const kernels::KnotOptions& options);
 
+// The same in rational arithmetic, every number of the output with `digits` correct significant digits (tokens). Throws
+// Error(bad_input) also where the ratios of the intervals are not rational: they are for given and uniform intervals,
+// and for edges of equal length.
+kernels::PointSet refine_by_weights(const SampledScheme& scheme, const kernels::PointSet& points,
+                                    const kernels::KnotOptions& options, long digits);
+
 }  // namespace twoscale::lowering
