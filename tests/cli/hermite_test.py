@@ -250,7 +250,9 @@ class Proofs(Files):
         path, claims = self.certificate("hermite-circle:w=7/5", "symmetric", "circle", status=1)
         self.assertEqual([c["verdict"] for c in claims], ["refuted", "refuted"])
         self.assertIn("30793/62500", claims[0]["witness"])
-        self.assertEqual(self.check(path).count("refuted  "), 2)
+        report = self.check(path)
+        self.assertIn("differs from that of the mirror image at s_0 = 0, s_1 = 1/7, w = 7/5", report)
+        self.assertIn("leaves the circle at s_0 = 0, s_1 = 1/7, w = 7/5", report)
 
     def test_a_changed_coefficient_is_refused(self):
         path, _ = self.certificate("hermite-circle", "continuity=2")

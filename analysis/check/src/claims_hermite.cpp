@@ -324,6 +324,15 @@ Fraction negative(Fraction x) {
   return x;
 }
 
+std::string text_of(const RulePoint& at) {
+  std::string text;
+  for (const std::size_t i : {std::size_t{s_0}, std::size_t{s_1}, std::size_t{w}}) {
+    text += (text.empty() ? "at " : ", ") + rule_names[i] + " = " + at[i].numerator.str();
+    if (at[i].denominator != 1) text += "/" + at[i].denominator.str();
+  }
+  return shortened(text);
+}
+
 /// The same step on the reversed polygon: s -> -s, the ends exchanged.
 RulePoint reversed(const RulePoint& at, const HermiteRules& rules, Meter& meter) {
   RulePoint r{negative(at[s_1]), negative(at[s_0]), at[w], Fraction{}};
@@ -580,7 +589,7 @@ Finding check_circle(const HermiteContext& context, Fields& fields, bool proved)
       throw Refused("x^2 + y^2 of the new point is another number");
     }
     if (equal(claimed, {1, 1}, meter)) throw Refused("the new point lies on the circle");
-    return {subject, "one step leaves the circle: computed at a rational point", {"hermite-interpolation"}};
+    return {subject, "one step leaves the circle " + text_of(at), {"hermite-interpolation"}};
   }
   if (static_cast<long>(std::max(c.size(), t.size())) - 1 > f.degree) throw Refused("the degrees are too large");
   // The node of a vertex is the same for its two edges: else its data would be others for each.
@@ -619,7 +628,7 @@ Finding check_reversal(const HermiteContext& context, Fields& fields, bool prove
     if (!equal(entry(at, column), value, meter)) throw Refused("the entry has another value");
     if (!equal(other, mirror, meter)) throw Refused("the entry of the mirror image has another value");
     if (equal(value, mirror, meter)) throw Refused("the two values are equal");
-    return {subject, "one entry differs from that of the mirror image, at a rational point", {"definition"}};
+    return {subject, "one entry differs from that of the mirror image " + text_of(at), {"definition"}};
   }
   // numerator*denominator of the mirror image = +- the converse, with z = n/q put in and q^top cleared: an identity of
   // polynomials in s_0, s_1, w.
