@@ -131,7 +131,7 @@ Scheme hermite_circle(const Rational& w, HermiteTension tension) {
   if (w.sign() <= 0) bad_input("hermite-circle: the tension w must be positive", w.to_string());
   Scheme s;
   s.block = 3;
-  s.source = "hermite2010 §2-§4";
+  s.source = "hermite2010, sections 2 to 4";
   Parameter ends;
   ends.name = "s";
   ends.scope = Parameter::Scope::local;
