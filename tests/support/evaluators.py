@@ -211,6 +211,8 @@ class Evaluators:
         local = document["local_parameters"]
         at = [f"{p}={left.pop(0)}" for p in document.get("parameters", []) if p not in local]
         for p, details in local.items():
+            if not left:  # the mask has no argument for it: it is at its value at rest
+                break
             offsets = details if isinstance(details, list) else details["offsets"]
             at.append(f"{p}=[{','.join(left.pop(0) for _ in offsets)}]")
         done = run("twoscale", "stencil", self.scheme(name), "--at", ",".join(at), "--format", "json")
