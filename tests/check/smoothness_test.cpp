@@ -122,7 +122,7 @@ TEST(Enclosure, ContainsTheTrueVectors) {
         const double x = (static_cast<double>(i) + phi) * 2 / 3,
                      y = (1 + static_cast<double>(j) * phi - phi * phi) * 2 / 3;
         const double u = (3 * x - 2 * y) / 5 / phi, v = (-7 * x + y) / 5 / phi;
-        const auto expect = [&](const twoscale::check::Box& b, std::size_t k, double value) {
+        const auto expect = [&](const twoscale::check::VectorEnclosure& b, std::size_t k, double value) {
           const double scale = static_cast<double>(b.scale);
           EXPECT_EQ(b.scale, Integer(1) << bits);
           EXPECT_LE(static_cast<double>(b.low[k]) / scale, value + 1e-13);

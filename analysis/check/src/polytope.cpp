@@ -35,7 +35,7 @@ class Polytope {
 
  private:
   struct Vertex {
-    Box box;
+    VectorEnclosure box;
     std::size_t parent = 0, matrix = 0;  // not for roots
     std::size_t depth = 0;               // box = exact/rho^depth
     std::optional<Residues> exact;
@@ -125,7 +125,7 @@ class Polytope {
     Matrix high = low, middle = low;
     middle.scale = scale * 2;
     for (std::size_t j = 0; j < size_; ++j) {
-      const Box& x = vertices_[inner[j]].box;
+      const VectorEnclosure& x = vertices_[inner[j]].box;
       meter_.spend(3 * words(scale) * words(x.scale) + 10);
       const Integer factor = scale / x.scale;
       for (std::size_t i = 0; i < size_; ++i) {
@@ -210,7 +210,7 @@ class Polytope {
     const std::vector<Value>& items = image.take_array("sum");
     const std::string where = image.path("sum");
     image.done();
-    Box rest = rho_.image(matrices_[s], vertices_[v].box);
+    VectorEnclosure rest = rho_.image(matrices_[s], vertices_[v].box);
     Fraction total;  // sum |c_j|
     std::size_t least = 0;
     for (const Value& item : items) {

@@ -140,13 +140,14 @@ bool ResidueRing::equal(const Residues& v, const Residues& w, int sign) const {
   return true;
 }
 
-Box combined(const Box& target, const Box& x, const Fraction& factor, Meter& meter) {
+VectorEnclosure combined(const VectorEnclosure& target, const VectorEnclosure& x, const Fraction& factor,
+                         Meter& meter) {
   const Integer scale = meter.multiply(x.scale, factor.denominator);
   const Integer common = meter.gcd(target.scale, scale);
   meter.spend(3 * (words(target.scale) + words(scale)) * words(common) + 20);
   const Integer stretch = scale / common;
   const Integer multiple = meter.multiply(factor.numerator, target.scale / common);
-  Box result;
+  VectorEnclosure result;
   result.scale = meter.multiply(target.scale, stretch);
   std::uint64_t total = 0;
   for (std::size_t i = 0; i < x.low.size(); ++i) {
@@ -191,7 +192,7 @@ Enclosure::Enclosure(const Radius& radius, unsigned bits, Meter& meter)
   if (below_ <= 0) throw Refused("too few bits: the radius cannot be told from 0");
 }
 
-Box Enclosure::rounded(Box v) const {
+VectorEnclosure Enclosure::rounded(VectorEnclosure v) const {
   if (exact_) {
     Integer divisor = v.scale;
     for (const Integer& x : v.low) {
@@ -216,10 +217,10 @@ Box Enclosure::rounded(Box v) const {
   return v;
 }
 
-Box Enclosure::value(std::span<const Dense> vector, const Fraction& scale) const {
+VectorEnclosure Enclosure::value(std::span<const Dense> vector, const Fraction& scale) const {
   if (exact_) {
     const Residues v = ResidueRing(radius_.polynomial, meter_).reduced({{vector.begin(), vector.end()}, 1});
-    Box result;
+    VectorEnclosure result;
     for (const Dense& q : v.list) {
       result.low.push_back(q.empty() ? Integer(0) : meter_.multiply(q[0], scale.numerator));
     }
@@ -227,7 +228,7 @@ Box Enclosure::value(std::span<const Dense> vector, const Fraction& scale) const
     result.high = result.low;
     return rounded(std::move(result));
   }
-  Box result;
+  VectorEnclosure result;
   result.scale = meter_.multiply(scale_, scale.denominator);
   for (const Dense& q : vector) {
     Integer low = 0, high = 0;  // over 2^bits
@@ -244,8 +245,8 @@ Box Enclosure::value(std::span<const Dense> vector, const Fraction& scale) const
   return rounded(std::move(result));
 }
 
-Box Enclosure::image(const Matrix& a, const Box& v) const {
-  Box result;
+VectorEnclosure Enclosure::image(const Matrix& a, const VectorEnclosure& v) const {
+  VectorEnclosure result;
   result.scale = meter_.multiply(a.scale, v.scale);
   for (std::size_t i = 0; i < a.size; ++i) {
     Integer low = 0, high = 0;

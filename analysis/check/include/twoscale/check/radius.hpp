@@ -52,13 +52,13 @@ class ResidueRing {
 };
 
 /// low[i]/scale <= v_i <= high[i]/scale; scale > 0.
-struct Box {
+struct VectorEnclosure {
   std::vector<Integer> low, high;
   Integer scale = 1;
 };
 
 /// target + factor*x, target and x of the same length.
-Box combined(const Box& target, const Box& x, const Fraction& factor, Meter& meter);
+VectorEnclosure combined(const VectorEnclosure& target, const VectorEnclosure& x, const Fraction& factor, Meter& meter);
 
 /// Interval arithmetic with rho. If rho is rational, it is exact (low = high); otherwise every result is rounded
 /// outward to multiples of 2^-bits.
@@ -69,13 +69,13 @@ class Enclosure {
   bool is_exact() const { return exact_; }
   unsigned bits() const { return bits_; }
   /// scale times the vector at x = rho.
-  Box value(std::span<const Dense> vector, const Fraction& scale) const;
+  VectorEnclosure value(std::span<const Dense> vector, const Fraction& scale) const;
   /// a v/rho.
-  Box image(const Matrix& a, const Box& v) const;
+  VectorEnclosure image(const Matrix& a, const VectorEnclosure& v) const;
 
  private:
   /// low[i]/scale and high[i]/scale to multiples of 2^-bits (or in lowest terms).
-  Box rounded(Box v) const;
+  VectorEnclosure rounded(VectorEnclosure v) const;
 
   const Radius& radius_;
   Meter& meter_;
