@@ -217,22 +217,12 @@ class Lowering {
     return std::max(e - 53, -1074);
   }
 
-  bool cell(const Ball& x, Cell& c) {
-    if (!rounded_double_of(x, c.value)) return false;
-    c.exact = false;
-    if (options_.digits == 0) {
-      c.text = kernels::shortest(c.value);
-      c.last = ulp_exponent(c.value);
-      return true;
-    }
-    if (!rounder_.round(x, decimal_)) return false;
-    c.text = decimal_.text;
-    c.last = decimal_.last;
-    return true;
-  }
+  bool cell(const Ball& x, Cell& c) { return rounded_double_of(x, c.value) && cell_of_double(x, c); }
+  bool cell(const Fixed& x, Cell& c) { return rounded_double(x, c.value) && cell_of_double(x, c); }
 
-  bool cell(const Fixed& x, Cell& c) {
-    if (!rounded_double(x, c.value)) return false;
+  // The rest of a cell that holds the double of x already.
+  template <class Number>
+  bool cell_of_double(const Number& x, Cell& c) {
     c.exact = false;
     if (options_.digits == 0) {
       c.text = kernels::shortest(c.value);
