@@ -183,9 +183,25 @@ TEST(Identifier, ComesFromTheScheme) {
 
 // Generated sources are compiled with strict warnings and refine a polygon as the kernels do.
 
-std::string print_points(const std::vector<double>& points) {
+// Doubles whose sums run upwards whatever the weights, as those of the written functions do.
+struct Upwards {
+  double x = 0;
+  friend Upwards operator+(Upwards a, Upwards b) { return {a.x + b.x}; }
+  friend Upwards operator*(Upwards a, Upwards b) {
+    volatile double product = a.x * b.x;
+    return {product};
+  }
+};
+
+std::vector<Upwards> upwards(const std::vector<double>& x) {
+  std::vector<Upwards> out;
+  for (const double number : x) out.push_back({number});
+  return out;
+}
+
+std::string print_points(const std::vector<Upwards>& points) {
   std::string out;
-  for (const double x : points) out += hex_float(x) + "\n";
+  for (const Upwards x : points) out += hex_float(x.x) + "\n";
   return out;
 }
 
@@ -193,15 +209,15 @@ const std::vector<double> polygon = {0, 0, 1, 0.1, 2, 1, 1, 3, 0, 2};
 
 // Two closed steps (level 0, then one beyond the table: the limit), then the open step of level 0.
 std::string expected_output(const MaskTable& table) {
-  const auto mask = [&](const MaskRow& row) { return Mask<double>{table.arity, row.lowest, row.value}; };
-  std::vector<double> one(polygon.size() * static_cast<std::size_t>(table.arity));
-  step_closed<double>(mask(table.levels[0]), polygon, 2, one);
-  std::vector<double> two(one.size() * static_cast<std::size_t>(table.arity));
-  step_closed<double>(mask(table.limit), one, 2, two);
+  const auto mask = [&](const MaskRow& row) { return Mask<Upwards>{table.arity, row.lowest, upwards(row.value)}; };
+  std::vector<Upwards> one(polygon.size() * static_cast<std::size_t>(table.arity));
+  step_closed<Upwards>(mask(table.levels[0]), upwards(polygon), 2, one);
+  std::vector<Upwards> two(one.size() * static_cast<std::size_t>(table.arity));
+  step_closed<Upwards>(mask(table.limit), one, 2, two);
   const TableGrid grid = common_grid(table);
   const IndexRange range = computable(table.arity, grid.lowest, grid.highest, {0, 5});
-  std::vector<double> open(range.count * 2);
-  step_open<double>(mask(table.levels[0]), polygon, 0, 2, range.first, open);
+  std::vector<Upwards> open(range.count * 2);
+  step_open<Upwards>(mask(table.levels[0]), upwards(polygon), 0, 2, range.first, open);
   return print_points(two) + print_points(open);
 }
 
@@ -377,7 +393,8 @@ int main(void)
                            (directory / "run") + "' > '" + (directory / "out") + "'")
                               .c_str()),
               0);
-    EXPECT_EQ(read_file(directory / "out"), print_points(times(refinement_matrix(table, 5), polygon, 2))) << compiler;
+    EXPECT_EQ(read_file(directory / "out"), print_points(upwards(times(refinement_matrix(table, 5), polygon, 2))))
+        << compiler;
   }
   options.prefix = "1x";
   EXPECT_THROW(write_table(table, "stencil", options), Error);

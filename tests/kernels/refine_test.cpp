@@ -38,27 +38,33 @@ std::string message_of(const auto& action) {
   return "no error";
 }
 
-// The rule itself: closed, one step, one product and one sum at a time.
+// The rule itself: closed, one step, one product and one sum at a time, in the order of refine.hpp.
 template <class Real>
 std::vector<Real> reference_closed(const Mask<Real>& mask, const std::vector<Real>& in, std::size_t dim) {
   const long m = mask.arity;
   const long n = static_cast<long>(in.size() / dim);
   std::vector<Real> out;
   for (long i = 0; i < m * n; ++i) {
+    std::vector<std::pair<Real, std::size_t>> terms;  // coefficient, row
+    const long last = i / m + 100;                    // more than any mask here reaches
+    for (long j = i / m - 100; j <= last; ++j) {
+      const long s = i - m * j - mask.lowest;
+      if (s < 0 || s >= static_cast<long>(mask.a.size()) || mask.a[static_cast<std::size_t>(s)] == 0) continue;
+      terms.emplace_back(mask.a[static_cast<std::size_t>(s)], static_cast<std::size_t>(((j % n) + n) % n));
+    }
+    bool symmetric = true;
+    for (std::size_t s = 0; s < terms.size(); ++s) symmetric &= terms[s].first == terms[terms.size() - 1 - s].first;
     for (std::size_t c = 0; c < dim; ++c) {
       volatile Real sum = 0;
-      bool begun = false;
-      const long last = i / m + 100;  // more than any mask here reaches
-      for (long j = i / m - 100; j <= last; ++j) {
-        const long s = i - m * j - mask.lowest;
-        if (s < 0 || s >= static_cast<long>(mask.a.size()) || mask.a[static_cast<std::size_t>(s)] == 0) continue;
-        const long wrapped = ((j % n) + n) % n;
-        volatile Real term = mask.a[static_cast<std::size_t>(s)] * in[static_cast<std::size_t>(wrapped) * dim + c];
-        if (begun)
-          sum = sum + term;
-        else
+      for (std::size_t s = 0; s < (symmetric ? (terms.size() + 1) / 2 : terms.size()); ++s) {
+        const std::size_t mirror = terms.size() - 1 - s;
+        volatile Real point = in[terms[s].second * dim + c];
+        if (symmetric && mirror != s) point = point + in[terms[mirror].second * dim + c];
+        volatile Real term = terms[s].first * point;
+        if (s == 0)
           sum = term;
-        begun = true;
+        else
+          sum = sum + term;
       }
       out.push_back(Real(sum));
     }

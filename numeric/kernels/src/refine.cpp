@@ -237,6 +237,15 @@ void tile_windows(const Plan& plan, Boundary boundary, long first, long last, st
   }
 }
 
+long segment_unit(const Plan& plan, std::size_t together) {
+  const std::size_t levels = plan.shapes.size();
+  long rows = 1;
+  for (std::size_t k = levels - together; k < levels; ++k) rows *= plan.shapes[k].arity;
+  const long lines = 16 * plan.shapes[levels - 1].arity;
+  while (rows % lines != 0) rows *= 2;
+  return rows;
+}
+
 template class Tile<double>;
 template class Tile<float>;
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: 0BSD
 // The inner loop of a refinement step for every instruction set that Highway knows here, chosen at run time.
 //
-// A product is rounded before it is added, and a sum runs over the weights in their order: so the bits are those of the
-// plain loop, whatever the width of the registers (the file must be compiled with -ffp-contract=off).
+// Every product and every sum is rounded, in the order of Phase: so the bits are those of the plain loop, whatever the
+// width of the registers (the file must be compiled with -ffp-contract=off).
 //
-// Binary rows of 1 to 4 numbers: with t = q*width + c both phases are sums of rows of `in`, unit stride in t. A block
-// of a few registers of each is summed, interleaved in registers, and stored once. Wider rows need no interleaving.
-// What is left (arity 3 and more, short rows) goes through a strip of one phase at a time.
+// Rows of several segments side by side are whole registers: a phase is a sum of registers that cross no line. The last
+// level turns them: as many registers as there are segments become a register of every segment. Other rows go through
+// strips, one phase at a time.
 #include "step_groups.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "step_groups.cpp"
-// Registers of unknown length cannot be interleaved at compile time; NEON serves there. SSSE3 machines without SSE4 are
-// rare enough for the scalar loop.
+// Registers of unknown length cannot be turned at compile time; NEON serves there. SSSE3 machines without SSE4 are rare
+// enough for the scalar loop.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3)
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
@@ -31,318 +31,324 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class Real>
-HWY_INLINE Real one_sum(const Groups<Real>& g, std::size_t r, const Real* in) {
-  if (g.begin[r] == g.begin[r + 1]) return Real(0);
-  const auto at = [&](std::size_t s) { return in[g.offset[s] * static_cast<std::ptrdiff_t>(g.in_stride)]; };
-  Real sum = g.weight[g.begin[r]] * at(g.begin[r]);
-  for (std::size_t s = g.begin[r] + 1; s < g.begin[r + 1]; ++s) sum = sum + g.weight[s] * at(s);
-  return sum;
-}
-
 // Groups from..to-1, number by number.
 template <class Real>
 HWY_NOINLINE void scalar_groups(const Groups<Real>& g, std::size_t from, std::size_t to) {
+  const auto stride = static_cast<std::ptrdiff_t>(g.in_stride);
   for (std::size_t q = from; q < to; ++q)
     for (std::size_t r = 0; r < g.arity; ++r)
-      for (std::size_t c = 0; c < g.width; ++c)
-        g.out[(q * g.arity + r) * g.out_stride + c] = one_sum(g, r, g.in + q * g.in_stride + c);
+      for (std::size_t c = 0; c < g.width; ++c) {
+        const Real* const in = g.in + q * g.in_stride + c;
+        g.out[(q * g.arity + r) * g.out_stride + c] =
+            sum_of_phase(g.phase[r], g.weight, [&](std::size_t s) { return in[g.offset[s] * stride]; });
+      }
 }
 
 #if HWY_TARGET == HWY_SCALAR
+
+std::size_t segments(std::size_t, std::size_t) { return 0; }
+void doubles_side_by_side(const SideBySide<double>&) {}
+void floats_side_by_side(const SideBySide<float>&) {}
+void move_doubles(const double*, std::size_t, double*) {}
+void move_floats(const float*, std::size_t, float*) {}
 
 template <class Real>
 void any_groups(const Groups<Real>& g) {
   scalar_groups(g, 0, g.groups);
 }
 
-std::size_t segments_of_doubles(std::size_t) { return 0; }
-void doubles_apart(const Groups<double>&, double* const*) {}
-
 #else
 
-// N registers of phase r from in[t] on. kTaps > 0: that many weights, in `w`, with their rows in `row`.
-template <std::size_t kTaps, std::size_t N, class D, class Real = hn::TFromD<D>, class V = hn::Vec<D>>
-HWY_INLINE void sums(D d, const Groups<Real>& g, std::size_t r, const std::type_identity_t<V>* HWY_RESTRICT w,
-                     const std::type_identity_t<Real>* const* row, std::size_t t, V* HWY_RESTRICT sum) {
+#if HWY_TARGET == HWY_AVX3
+constexpr std::size_t register_bytes = 64;
+#else
+constexpr std::size_t register_bytes = 32;  // at most
+#endif
+
+// N registers of phase r from in[t] on; `stride` numbers from one point to the next.
+template <std::size_t N, class D, class G, class Real = hn::TFromD<D>, class V = hn::Vec<D>>
+HWY_INLINE void sums(D d, const G& g, std::size_t stride, std::size_t r, std::size_t t, V* HWY_RESTRICT sum) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
-  if constexpr (kTaps > 0) {
+  const Phase phase = g.phase[r];
+  const auto row = [&](std::size_t s) { return g.in + t + g.offset[s] * static_cast<std::ptrdiff_t>(stride); };
+  const std::size_t middle = phase.begin + phase.pairs;
 #pragma GCC unroll 16
-    for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Mul(w[0], hn::LoadU(d, row[0] + t + i * lanes));
+  for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Zero(d);
+  if (phase.begin == phase.end) return;
+  std::size_t s = phase.begin;
+  const V first = hn::Set(d, g.weight[s]);
+  if (s < middle) {
+    const Real *const a = row(s), *const b = row(phase.end - 1);
 #pragma GCC unroll 16
-    for (std::size_t s = 1; s < kTaps; ++s) {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Add(sum[i], hn::Mul(w[s], hn::LoadU(d, row[s] + t + i * lanes)));
-    }
+    for (std::size_t i = 0; i < N; ++i)
+      sum[i] = hn::Mul(first, hn::Add(hn::LoadU(d, a + i * lanes), hn::LoadU(d, b + i * lanes)));
   } else {
-    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(g.in_stride);
-    const std::size_t end = g.begin[r + 1];
-    std::size_t s = g.begin[r];
-    if (s == end) {
+    const Real* const from = row(s);
 #pragma GCC unroll 16
-      for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Zero(d);
-      return;
-    }
-    const Real* from = g.in + t + g.offset[s] * stride;
-    if (end - s == 1 && g.weight[s] == Real(1)) {
+    for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Mul(first, hn::LoadU(d, from + i * lanes));
+  }
+  for (++s; s < middle; ++s) {
+    const V w = hn::Set(d, g.weight[s]);
+    const Real *const a = row(s), *const b = row(phase.end - 1 - (s - phase.begin));
 #pragma GCC unroll 16
-      for (std::size_t i = 0; i < N; ++i) sum[i] = hn::LoadU(d, from + i * lanes);
-      return;
-    }
-    V x = hn::Set(d, g.weight[s]);
+    for (std::size_t i = 0; i < N; ++i)
+      sum[i] = hn::Add(sum[i], hn::Mul(w, hn::Add(hn::LoadU(d, a + i * lanes), hn::LoadU(d, b + i * lanes))));
+  }
+  for (const std::size_t end = phase.end - phase.pairs; s < end; ++s) {
+    const V w = hn::Set(d, g.weight[s]);
+    const Real* const from = row(s);
 #pragma GCC unroll 16
-    for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Mul(x, hn::LoadU(d, from + i * lanes));
-    for (++s; s < end; ++s) {
-      x = hn::Set(d, g.weight[s]);
-      from = g.in + t + g.offset[s] * stride;
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Add(sum[i], hn::Mul(x, hn::LoadU(d, from + i * lanes)));
-    }
+    for (std::size_t i = 0; i < N; ++i) sum[i] = hn::Add(sum[i], hn::Mul(w, hn::LoadU(d, from + i * lanes)));
   }
 }
 
-// Rows of kDim numbers of e and of o by turns.
-template <std::size_t kDim, std::size_t N, class D, class V>
-HWY_INLINE void interleave(D d, const V* HWY_RESTRICT e, const V* HWY_RESTRICT o, V* HWY_RESTRICT to) {
-  constexpr std::size_t lanes = hn::MaxLanes(D());
+// The phases of a step as code: sum<N>(r, t, to) gives N registers of phase r.
+template <class D>
+struct AnyPhases {
   using Real = hn::TFromD<D>;
-  if constexpr (kDim == 3 && lanes == 4) {
-    static_assert(N == 3);
-    using Index = hn::TFromD<hn::RebindToUnsigned<D>>;
-    alignas(32) static constexpr Index one_two[4] = {1, 2, 1, 2};
-    const auto pick = hn::SetTableIndices(d, one_two);
-    const auto first = hn::FirstN(d, 1), three = hn::FirstN(d, 3);
-    const V e01 = hn::ConcatLowerUpper(d, e[1], e[0]), e12 = hn::ConcatLowerUpper(d, e[2], e[1]);
-    const V o01 = hn::ConcatLowerUpper(d, o[1], o[0]), o12 = hn::ConcatLowerUpper(d, o[2], o[1]);
-    to[0] = hn::IfThenElse(three, e[0], hn::Reverse(d, o[0]));
-    to[1] = hn::ConcatUpperLower(d, hn::TableLookupLanes(e01, pick), hn::TableLookupLanes(o[0], pick));
-    to[2] = hn::IfThenElse(first, hn::Reverse(d, e01), o01);
-    to[3] = hn::IfThenElse(three, e12, hn::Reverse(d, o12));
-    to[4] = hn::ConcatUpperLower(d, hn::TableLookupLanes(e[2], pick), hn::TableLookupLanes(o12, pick));
-    to[5] = hn::IfThenElse(first, hn::Reverse(d, e[2]), o[2]);
-  } else if constexpr (kDim == 3) {
-    static_assert(lanes == 2 && N == 3);
-    to[0] = e[0];
-    to[1] = hn::ConcatLowerLower(d, o[0], e[1]);
-    to[2] = hn::ConcatLowerUpper(d, o[1], o[0]);
-    to[3] = hn::ConcatLowerUpper(d, e[2], e[1]);
-    to[4] = hn::ConcatUpperUpper(d, o[1], e[2]);
-    to[5] = o[2];
-  } else if constexpr (kDim >= lanes) {
-    constexpr std::size_t run = kDim / lanes;
+  const SideBySide<Real>& g;
+  std::size_t stride;
+
+  template <std::size_t N, class V>
+  HWY_INLINE void sum(std::size_t r, std::size_t t, V* HWY_RESTRICT to) const {
+    sums<N>(D(), g, stride, r, t, to);
+  }
+};
+
+// Phase 0 copies, phase 1 has kPairs pairs of weights and no other: in registers, with their rows.
+template <class D, std::size_t kPairs>
+struct Interpolating {
+  using Real = hn::TFromD<D>;
+  const Real* even;
+  std::array<hn::Vec<D>, kPairs> weight;
+  std::array<const Real*, 2 * kPairs> row;
+
+  HWY_INLINE Interpolating(const SideBySide<Real>& g, std::size_t stride) {
+    const auto at = [&](std::size_t s) { return g.in + g.offset[s] * static_cast<std::ptrdiff_t>(stride); };
+    even = at(g.phase[0].begin);
+#pragma GCC unroll 16
+    for (std::size_t s = 0; s < 2 * kPairs; ++s) row[s] = at(g.phase[1].begin + s);
+#pragma GCC unroll 16
+    for (std::size_t s = 0; s < kPairs; ++s) weight[s] = hn::Set(D(), g.weight[g.phase[1].begin + s]);
+  }
+
+  template <std::size_t N, class V>
+  HWY_INLINE void sum(std::size_t r, std::size_t t, V* HWY_RESTRICT to) const {
+    const D d;
+    constexpr std::size_t lanes = hn::MaxLanes(D());
+    if (r == 0) {
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < N; ++i) to[i] = hn::LoadU(d, even + t + i * lanes);
+      return;
+    }
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < N; ++i) {
-      to[(i / run) * 2 * run + i % run] = e[i];
-      to[(i / run) * 2 * run + i % run + run] = o[i];
+      const std::size_t at = t + i * lanes;
+      to[i] = hn::Mul(weight[0], hn::Add(hn::LoadU(d, row[0] + at), hn::LoadU(d, row[2 * kPairs - 1] + at)));
     }
-  } else if constexpr (kDim * sizeof(Real) == 16) {
 #pragma GCC unroll 16
-    for (std::size_t i = 0; i < N; ++i) {
-      to[2 * i] = hn::ConcatLowerLower(d, o[i], e[i]);
-      to[2 * i + 1] = hn::ConcatUpperUpper(d, o[i], e[i]);
+    for (std::size_t s = 1; s < kPairs; ++s) {
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < N; ++i) {
+        const std::size_t at = t + i * lanes;
+        to[i] = hn::Add(
+            to[i], hn::Mul(weight[s], hn::Add(hn::LoadU(d, row[s] + at), hn::LoadU(d, row[2 * kPairs - 1 - s] + at))));
+      }
     }
+  }
+};
+
+#if HWY_TARGET == HWY_AVX3
+
+// The parts of a and b, blocks of kRun numbers: those with bit kBit of their index 0 (kUpper: 1), those of b in the
+// places where it is 1.
+template <std::size_t kRun, std::size_t kBit, bool kUpper, class Real>
+struct Choice {
+  static constexpr std::size_t lanes = 64 / sizeof(Real);
+  using Index = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
+  alignas(64) std::array<Index, lanes> index{};
+  constexpr Choice() {
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const std::size_t block = i / kRun, bit = std::size_t{1} << kBit;
+      const std::size_t from = ((block & ~bit) | (kUpper ? bit : 0)) * kRun + i % kRun;
+      index[i] = static_cast<Index>(from + ((block & bit) != 0 ? lanes : 0));
+    }
+  }
+};
+
+template <std::size_t kRun, std::size_t kBit, bool kUpper>
+HWY_INLINE hn::Vec512<double> choose(hn::Vec512<double> a, hn::Vec512<double> b) {
+  static constexpr Choice<kRun, kBit, kUpper, double> choice;
+  return hn::Vec512<double>{_mm512_permutex2var_pd(a.raw, _mm512_load_si512(choice.index.data()), b.raw)};
+}
+template <std::size_t kRun, std::size_t kBit, bool kUpper>
+HWY_INLINE hn::Vec512<float> choose(hn::Vec512<float> a, hn::Vec512<float> b) {
+  static constexpr Choice<kRun, kBit, kUpper, float> choice;
+  return hn::Vec512<float>{_mm512_permutex2var_ps(a.raw, _mm512_load_si512(choice.index.data()), b.raw)};
+}
+
+// kSegments registers as a matrix of blocks, turned: bit by bit of the indices.
+template <std::size_t kSegments, std::size_t kBit = 0, class D, class V>
+HWY_INLINE void turn(D d, V* HWY_RESTRICT x) {
+  constexpr std::size_t bit = std::size_t{1} << kBit, run = hn::MaxLanes(D()) / kSegments;
+  if constexpr (bit < kSegments) {
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < kSegments; ++i) {
+      if ((i & bit) != 0) continue;
+      const V a = x[i], b = x[i + bit];
+      x[i] = choose<run, kBit, false>(a, b);
+      x[i + bit] = choose<run, kBit, true>(a, b);
+    }
+    turn<kSegments, kBit + 1>(d, x);
+  }
+}
+
+#else
+
+// kSegments registers as a matrix of blocks, turned.
+template <std::size_t kSegments, class D, class V>
+HWY_INLINE void turn(D d, V* HWY_RESTRICT x) {
+  if constexpr (kSegments == 2) {
+    const V a = x[0], b = x[1];
+    x[0] = hn::ConcatLowerLower(d, b, a);
+    x[1] = hn::ConcatUpperUpper(d, b, a);
+  } else if constexpr (kSegments == 4) {
+    static_assert(sizeof(hn::TFromD<D>) == 8);  // they interleave within halves
+    const V a = hn::InterleaveLower(d, x[0], x[1]), b = hn::InterleaveUpper(d, x[0], x[1]);
+    const V c = hn::InterleaveLower(d, x[2], x[3]), e = hn::InterleaveUpper(d, x[2], x[3]);
+    x[0] = hn::ConcatLowerLower(d, c, a);
+    x[1] = hn::ConcatLowerLower(d, e, b);
+    x[2] = hn::ConcatUpperUpper(d, c, a);
+    x[3] = hn::ConcatUpperUpper(d, e, b);
+  }
+}
+
+#endif
+
+template <class Real>
+using Whole = hn::CappedTag<Real, register_bytes / sizeof(Real)>;
+
+// Floats only where there are registers of 64 bytes.
+template <class Real, std::size_t kWidth>
+inline constexpr std::size_t segments_for =
+    sizeof(Real) == 4 && register_bytes<64            ? 0
+                                        : kWidth == 3 ? hn::MaxLanes(Whole<Real>())
+                                                      : kWidth> hn::MaxLanes(Whole<Real>())
+        ? 1
+        : hn::MaxLanes(Whole<Real>()) / kWidth;
+
+std::size_t segments(std::size_t bytes, std::size_t width) {
+  constexpr std::size_t of_doubles[] = {0, segments_for<double, 1>, segments_for<double, 2>, segments_for<double, 3>,
+                                        segments_for<double, 4>};
+  constexpr std::size_t of_floats[] = {0, segments_for<float, 1>, segments_for<float, 2>, segments_for<float, 3>,
+                                       segments_for<float, 4>};
+  return width > 4 ? 0 : bytes == 8 ? of_doubles[width] : of_floats[width];
+}
+
+// From row q on, N rows of every phase: as rows, or apart.
+template <std::size_t kArity, std::size_t kRegisters, std::size_t kSegments, std::size_t N, bool kApart, bool kStream,
+          class D, class Real, class PhasesOf>
+HWY_INLINE void block_of_rows(D d, const SideBySide<Real>& g, const PhasesOf& phases, std::size_t q) {
+  using V = hn::Vec<D>;
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  constexpr std::size_t all = kArity * N * kRegisters;
+  V part[N * kRegisters], row[all];
+#pragma GCC unroll 4
+  for (std::size_t r = 0; r < kArity; ++r) {
+    phases.template sum<N * kRegisters>(r, q * kRegisters * lanes, part);
+#pragma GCC unroll 32
+    for (std::size_t i = 0; i < N * kRegisters; ++i)
+      row[(i / kRegisters * kArity + r) * kRegisters + i % kRegisters] = part[i];
+  }
+  if constexpr (!kApart) {
+    Real* const out = g.out + q * kArity * kRegisters * lanes;
+#pragma GCC unroll 64
+    for (std::size_t i = 0; i < all; ++i) hn::StoreU(row[i], d, out + i * lanes);
   } else {
-    // Single numbers, or pairs of floats moved as if they were doubles.
-    const hn::Repartition<std::conditional_t<kDim == 2, double, Real>, D> u;
+    const std::size_t at = q * kArity * kRegisters * lanes / kSegments;
+#pragma GCC unroll 64
+    for (std::size_t i = 0; i < all / kSegments; ++i) {
+      turn<kSegments>(d, row + i * kSegments);
 #pragma GCC unroll 16
-    for (std::size_t i = 0; i < N; ++i) {
-      const auto a = hn::BitCast(u, e[i]), b = hn::BitCast(u, o[i]);
-      const auto low = hn::InterleaveLower(u, a, b), high = hn::InterleaveUpper(u, a, b);
-      if constexpr (lanes * sizeof(Real) == 32) {  // they interleave within halves
-        to[2 * i] = hn::BitCast(d, hn::ConcatLowerLower(u, high, low));
-        to[2 * i + 1] = hn::BitCast(d, hn::ConcatUpperUpper(u, high, low));
-      } else {
-        to[2 * i] = hn::BitCast(d, low);
-        to[2 * i + 1] = hn::BitCast(d, high);
+      for (std::size_t l = 0; l < kSegments; ++l) {
+        Real* const to = g.apart[l] + at + i * lanes;
+        if constexpr (kStream) {
+          hn::Stream(row[i * kSegments + l], d, to);
+        } else {
+          hn::StoreU(row[i * kSegments + l], d, to);
+        }
       }
     }
   }
 }
 
-// kTaps > 0: the even phase copies one row, the odd one has kTaps weights.
-template <std::size_t kDim, std::size_t kTaps, class Real>
-void binary_groups(const Groups<Real>& g) {
-  const hn::CappedTag<Real, kDim == 3 ? 4 : 32 / sizeof(Real)> d;
-  using V = hn::Vec<decltype(d)>;
-  constexpr std::size_t lanes = hn::MaxLanes(decltype(d)());
-  constexpr std::size_t block = kDim % 3 == 0 ? 3 : 4;                                   // registers of each phase
-  constexpr std::size_t least = kDim == 3 ? 3 : std::max<std::size_t>(1, kDim / lanes);  // so many are whole rows
-  std::array<V, kTaps + 1> w;
-  std::array<const Real*, kTaps + 1> row;
-#pragma GCC unroll 16
-  for (std::size_t s = 0; s < kTaps; ++s) {
-    w[s] = hn::Set(d, g.weight[g.begin[1] + s]);
-    row[s] = g.in + g.offset[g.begin[1] + s] * static_cast<std::ptrdiff_t>(kDim);
+template <std::size_t kArity, std::size_t kRegisters, std::size_t kSegments, class D, class Real, class PhasesOf>
+void rows_side_by_side(D d, const SideBySide<Real>& g, const PhasesOf phases) {
+  // Rows of a phase whose registers, all phases together, can be turned: a power of 2 up to 16.
+  constexpr std::size_t N = [] {
+    std::size_t n = kRegisters < 3 ? 4 / kRegisters : 1;
+    while (kArity * n * kRegisters % kSegments != 0) n *= 2;
+    return n;
+  }();
+  std::size_t q = 0;
+  if (g.apart == nullptr) {
+    for (; q + N <= g.groups; q += N) block_of_rows<kArity, kRegisters, kSegments, N, false, false>(d, g, phases, q);
+    for (; q < g.groups; ++q) block_of_rows<kArity, kRegisters, kSegments, 1, false, false>(d, g, phases, q);
+  } else if (g.stream) {
+    for (; q < g.groups; q += N) block_of_rows<kArity, kRegisters, kSegments, N, true, true>(d, g, phases, q);
+  } else {
+    for (; q < g.groups; q += N) block_of_rows<kArity, kRegisters, kSegments, N, true, false>(d, g, phases, q);
   }
-  const Real* const even = kTaps > 0 ? g.in + g.offset[g.begin[0]] * static_cast<std::ptrdiff_t>(kDim) : nullptr;
-  const bool stream = g.stream;
-  const std::size_t count = g.groups * kDim;
-  std::size_t t = 0;
-  for (; t + block * lanes <= count; t += block * lanes) {
-    V e[block], o[block], to[2 * block];
-    if constexpr (kTaps > 0) {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < block; ++i) e[i] = hn::LoadU(d, even + t + i * lanes);
-    } else {
-      sums<0, block>(d, g, 0, nullptr, nullptr, t, e);
-    }
-    sums<kTaps, block>(d, g, 1, w.data(), row.data(), t, o);
-    interleave<kDim, block>(d, e, o, to);
-    Real* const out = g.out + 2 * t;
-    if (stream) {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < 2 * block; ++i) hn::Stream(to[i], d, out + i * lanes);
-    } else {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < 2 * block; ++i) hn::StoreU(to[i], d, out + i * lanes);
-    }
-  }
-  while (t < count) {
-    if (t + least * lanes > count) {
-      if (count < least * lanes) break;
-      t = count - least * lanes;  // some again, the same bits
-    }
-    V e[least], o[least], to[2 * least];
-    sums<0, least>(d, g, 0, nullptr, nullptr, t, e);
-    sums<kTaps, least>(d, g, 1, w.data(), row.data(), t, o);
-    interleave<kDim, least>(d, e, o, to);
-#pragma GCC unroll 16
-    for (std::size_t i = 0; i < 2 * least; ++i) hn::StoreU(to[i], d, g.out + 2 * t + i * lanes);
-    t += least * lanes;
-  }
-  if (t < count) scalar_groups(g, t / kDim, g.groups);
 }
 
-// Calls with the number of weights of the odd phase, 0 in general; not 0: the even phase copies.
-template <class Real, class F>
-HWY_INLINE void by_taps(const Groups<Real>& g, F call) {
-  if constexpr (sizeof(Real) == 8) {
-    if (g.begin[1] - g.begin[0] == 1 && g.weight[g.begin[0]] == Real(1)) {
-      switch (g.begin[2] - g.begin[1]) {
-        case 2: return call(std::integral_constant<std::size_t, 2>());
-        case 4: return call(std::integral_constant<std::size_t, 4>());
-        case 6: return call(std::integral_constant<std::size_t, 6>());
-        case 8: return call(std::integral_constant<std::size_t, 8>());
-        case 16: return call(std::integral_constant<std::size_t, 16>());
+template <std::size_t kWidth, class Real>
+void side_by_side(const SideBySide<Real>& g) {
+  using D = Whole<Real>;
+  constexpr std::size_t kSegments = segments_for<Real, kWidth>;
+  if constexpr (kSegments > 0) {
+    constexpr std::size_t stride = kWidth * kSegments;
+    constexpr std::size_t kRegisters = stride / hn::MaxLanes(D());
+    const auto run = [&](auto arity, auto phases) {
+      rows_side_by_side<decltype(arity)::value, kRegisters, kSegments>(D(), g, phases);
+    };
+    constexpr std::integral_constant<std::size_t, 2> two;
+    constexpr std::integral_constant<std::size_t, 3> three;
+    if (g.arity == 3) return run(three, AnyPhases<D>{g, stride});
+    const Phase& odd = g.phase[1];
+    if (g.phase[0].copies && odd.end - odd.begin == 2 * odd.pairs) {
+      switch (odd.pairs) {
+        case 1: return run(two, Interpolating<D, 1>(g, stride));
+        case 2: return run(two, Interpolating<D, 2>(g, stride));
+        case 3: return run(two, Interpolating<D, 3>(g, stride));
+        case 4: return run(two, Interpolating<D, 4>(g, stride));
+        case 8: return run(two, Interpolating<D, 8>(g, stride));
         default: break;
       }
     }
+    run(two, AnyPhases<D>{g, stride});
   }
-  call(std::integral_constant<std::size_t, 0>());
 }
 
-template <std::size_t kDim, class Real>
-void binary_groups(const Groups<Real>& g) {
-  by_taps(g, [&](auto taps) { binary_groups<kDim, decltype(taps)::value>(g); });
-}
-
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-
-// Four vectors as rows of a matrix, turned.
-template <class D, class V>
-HWY_INLINE void turn(D d, const V* HWY_RESTRICT from, V* HWY_RESTRICT to) {
-  const V a = hn::InterleaveLower(d, from[0], from[1]), b = hn::InterleaveUpper(d, from[0], from[1]);
-  const V c = hn::InterleaveLower(d, from[2], from[3]), e = hn::InterleaveUpper(d, from[2], from[3]);
-  to[0] = hn::ConcatLowerLower(d, c, a);
-  to[1] = hn::ConcatLowerLower(d, e, b);
-  to[2] = hn::ConcatUpperUpper(d, c, a);
-  to[3] = hn::ConcatUpperUpper(d, e, b);
-}
-
-// Rows of kWidth numbers in kSegments segments.
-template <std::size_t kWidth, std::size_t kSegments, std::size_t kTaps>
-void groups_apart(const Groups<double>& g, double* const* out) {
-  const hn::CappedTag<double, 4> d;
-  using V = hn::Vec<decltype(d)>;
-  constexpr std::size_t row_values = kWidth * kSegments;
-  constexpr std::size_t run = row_values / 4;            // registers of a row
-  constexpr std::size_t block = run == 3 ? 6 : 4;        // registers of each phase at once
-  constexpr std::size_t pieces = 2 * block / kSegments;  // registers of each segment
-  std::array<V, kTaps + 1> w;
-  std::array<const double*, kTaps + 1> row;
-#pragma GCC unroll 16
-  for (std::size_t s = 0; s < kTaps; ++s) {
-    w[s] = hn::Set(d, g.weight[g.begin[1] + s]);
-    row[s] = g.in + g.offset[g.begin[1] + s] * static_cast<std::ptrdiff_t>(row_values);
+template <class Real>
+void any_side_by_side(const SideBySide<Real>& g) {
+  switch (g.width) {
+    case 1: return side_by_side<1>(g);
+    case 2: return side_by_side<2>(g);
+    case 3: return side_by_side<3>(g);
+    default: return side_by_side<4>(g);
   }
-  const double* const even =
-      kTaps > 0 ? g.in + g.offset[g.begin[0]] * static_cast<std::ptrdiff_t>(row_values) : nullptr;
-  std::array<double*, kSegments> to;
-  for (std::size_t l = 0; l < kSegments; ++l) to[l] = out[l];
-  const std::size_t count = g.groups * row_values;
-  std::size_t t = 0;
-  for (; t + block * 4 <= count; t += block * 4) {
-    V e[block], o[block], both[2 * block], apart[2 * block];
-    if constexpr (kTaps > 0) {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < block; ++i) e[i] = hn::LoadU(d, even + t + i * 4);
-    } else {
-      sums<0, block>(d, g, 0, nullptr, nullptr, t, e);
-    }
-    sums<kTaps, block>(d, g, 1, w.data(), row.data(), t, o);
-#pragma GCC unroll 16
-    for (std::size_t i = 0; i < block; ++i) {
-      both[(i / run) * 2 * run + i % run] = e[i];
-      both[(i / run) * 2 * run + i % run + run] = o[i];
-    }
-    // apart[l*pieces + i]: register i of segment l.
-    if constexpr (kSegments == 2) {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < block; ++i) {
-        apart[i] = hn::ConcatLowerLower(d, both[2 * i + 1], both[2 * i]);
-        apart[pieces + i] = hn::ConcatUpperUpper(d, both[2 * i + 1], both[2 * i]);
-      }
-    } else {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < 2 * block; i += 4) {
-        V turned[4];
-        turn(d, both + i, turned);
-#pragma GCC unroll 16
-        for (std::size_t l = 0; l < 4; ++l) apart[l * pieces + i / 4] = turned[l];
-      }
-    }
-    const std::size_t at = 2 * t / kSegments;
-#pragma GCC unroll 16
-    for (std::size_t l = 0; l < kSegments; ++l) {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < pieces; ++i) hn::StoreU(apart[l * pieces + i], d, to[l] + at + i * 4);
-    }
-  }
-  for (std::size_t q = t / row_values; q < g.groups; ++q)
-    for (std::size_t r = 0; r < 2; ++r)
-      for (std::size_t l = 0; l < kSegments; ++l)
-        for (std::size_t c = 0; c < kWidth; ++c)
-          to[l][(2 * q + r) * kWidth + c] =
-              one_sum(g, r, g.in + q * row_values + (kSegments == 2 ? l * kWidth + c : c * kSegments + l));
 }
 
-std::size_t segments_of_doubles(std::size_t width) {
-  constexpr std::size_t best[] = {0, 4, 2, 4, 1};
-  return width <= 4 ? best[width] : 0;
+template <class Real>
+void move_whole(const Real* from, std::size_t count, Real* to) {
+  const Whole<Real> d;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) hn::StoreU(hn::LoadU(d, from + i), d, to + i);
 }
 
-void doubles_apart(const Groups<double>& g, double* const* out) {
-  by_taps(g, [&](auto taps) {
-    constexpr std::size_t n = decltype(taps)::value;
-    switch (g.width) {
-      case 1: return groups_apart<1, 4, n>(g, out);
-      case 2: return groups_apart<2, 2, n>(g, out);
-      case 3: return groups_apart<3, 4, n>(g, out);
-      default: break;
-    }
-    Groups<double> whole = g;
-    whole.out = out[0];
-    whole.out_stride = 4;
-    binary_groups<4, n>(whole);
-  });
-}
-
-#else
-
-std::size_t segments_of_doubles(std::size_t) { return 0; }
-void doubles_apart(const Groups<double>&, double* const*) {}
-
-#endif
+void move_doubles(const double* from, std::size_t count, double* to) { move_whole(from, count, to); }
+void move_floats(const float* from, std::size_t count, float* to) { move_whole(from, count, to); }
+void doubles_side_by_side(const SideBySide<double>& g) { any_side_by_side(g); }
+void floats_side_by_side(const SideBySide<float>& g) { any_side_by_side(g); }
 
 // Numbers t..t+count-1 of phase r, unit stride, to `to`.
 template <class D, class Real>
@@ -351,7 +357,7 @@ HWY_INLINE void strip(D d, const Groups<Real>& g, std::size_t r, std::size_t t, 
   hn::Vec<D> sum[4];
   std::size_t i = 0;
   for (; i + 4 * lanes <= count; i += 4 * lanes) {
-    sums<0, 4>(d, g, r, nullptr, nullptr, t + i, sum);
+    sums<4>(d, g, g.in_stride, r, t + i, sum);
 #pragma GCC unroll 16
     for (std::size_t k = 0; k < 4; ++k) hn::StoreU(sum[k], d, to + i + k * lanes);
   }
@@ -360,26 +366,19 @@ HWY_INLINE void strip(D d, const Groups<Real>& g, std::size_t r, std::size_t t, 
       if (count < lanes) break;
       i = count - lanes;  // some again, the same bits
     }
-    sums<0, 1>(d, g, r, nullptr, nullptr, t + i, sum);
+    sums<1>(d, g, g.in_stride, r, t + i, sum);
     hn::StoreU(sum[0], d, to + i);
   }
-  for (; i < count; ++i) to[i] = one_sum(g, r, g.in + t + i);
+  for (; i < count; ++i) {
+    const Real* const in = g.in + t + i;
+    to[i] = sum_of_phase(g.phase[r], g.weight,
+                         [&](std::size_t s) { return in[g.offset[s] * static_cast<std::ptrdiff_t>(g.in_stride)]; });
+  }
 }
 
 template <class Real>
 void any_groups(const Groups<Real>& g) {
-  if (direct_stream(g.arity, g.width, g.in_stride, g.out_stride)) {
-    switch (g.width) {
-      case 1: return binary_groups<1>(g);
-      case 2: return binary_groups<2>(g);
-      case 3: return binary_groups<3>(g);
-      default: return binary_groups<4>(g);
-    }
-  }
-  if constexpr (sizeof(Real) == 8 && hn::MaxLanes(hn::CappedTag<Real, 4>()) == 4) {
-    if (g.arity == 2 && g.width == 12 && g.in_stride == 12 && g.out_stride == 12) return binary_groups<12>(g);
-  }
-  const hn::CappedTag<Real, 32 / sizeof(Real)> d;
+  const hn::CappedTag<Real, register_bytes / sizeof(Real)> d;
   if (g.width >= hn::MaxLanes(d)) {
     for (std::size_t q = 0; q < g.groups; ++q)
       for (std::size_t r = 0; r < g.arity; ++r)
@@ -416,11 +415,11 @@ void groups_of_floats(const Groups<float>& g) { any_groups(g); }
 
 // `bytes` a multiple of 64, `to` of 64.
 void copy_lines(const void* from, std::size_t bytes, void* to) {
-  const hn::CappedTag<std::uint64_t, 4> d;
+  const hn::CappedTag<std::uint64_t, 8> d;
   const auto* source = static_cast<const unsigned char*>(from);
   auto* target = static_cast<std::uint64_t*>(to);
   for (std::size_t i = 0; i < bytes; i += hn::Lanes(d) * 8) {
-    HWY_ALIGN std::uint64_t line[4];
+    HWY_ALIGN std::uint64_t line[8];
     std::memcpy(line, source + i, hn::Lanes(d) * 8);
     hn::Stream(hn::Load(d, line), d, target + i / 8);
   }
@@ -431,22 +430,25 @@ void copy_lines(const void* from, std::size_t bytes, void* to) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "twoscale/kernels/refine.hpp"
 
 namespace twoscale::kernels::detail {
 
 HWY_EXPORT(groups_of_doubles);
 HWY_EXPORT(groups_of_floats);
 HWY_EXPORT(copy_lines);
-HWY_EXPORT(segments_of_doubles);
-HWY_EXPORT(doubles_apart);
+HWY_EXPORT(segments);
+HWY_EXPORT(move_doubles);
+HWY_EXPORT(move_floats);
+HWY_EXPORT(doubles_side_by_side);
+HWY_EXPORT(floats_side_by_side);
 
 void run_groups(const Groups<double>& g) { HWY_DYNAMIC_DISPATCH(groups_of_doubles)(g); }
 void run_groups(const Groups<float>& g) { HWY_DYNAMIC_DISPATCH(groups_of_floats)(g); }
 
-std::size_t best_segments(std::size_t width) { return HWY_DYNAMIC_DISPATCH(segments_of_doubles)(width); }
+void run_side_by_side(const SideBySide<double>& g) { HWY_DYNAMIC_DISPATCH(doubles_side_by_side)(g); }
+void run_side_by_side(const SideBySide<float>& g) { HWY_DYNAMIC_DISPATCH(floats_side_by_side)(g); }
 
-void run_groups_apart(const Groups<double>& g, double* const* out) { HWY_DYNAMIC_DISPATCH(doubles_apart)(g, out); }
+std::size_t best_segments(std::size_t bytes, std::size_t width) { return HWY_DYNAMIC_DISPATCH(segments)(bytes, width); }
 
 void stream_copy(const void* from, std::size_t bytes, void* to) {
   const auto* source = static_cast<const unsigned char*>(from);
@@ -456,6 +458,13 @@ void stream_copy(const void* from, std::size_t bytes, void* to) {
   std::memcpy(target, source, head);
   if (lines != 0) HWY_DYNAMIC_DISPATCH(copy_lines)(source + head, lines, target + head);
   std::memcpy(target + head + lines, source + head + lines, bytes - head - lines);
+}
+
+void move_registers(const double* from, std::size_t count, double* to) {
+  HWY_DYNAMIC_DISPATCH(move_doubles)(from, count, to);
+}
+void move_registers(const float* from, std::size_t count, float* to) {
+  HWY_DYNAMIC_DISPATCH(move_floats)(from, count, to);
 }
 
 void drain() { hwy::FlushStream(); }

@@ -4,16 +4,18 @@
 
 #include <cstddef>
 
+#include "twoscale/kernels/refine.hpp"
+
 namespace twoscale::kernels::detail {
 
 // Whole groups of rows: for q = 0..groups-1 and r = 0..arity-1
-//   out[(q*arity + r)*out_stride + c] = sum_{s = begin[r]}^{begin[r+1]-1} weight[s] in[(q + offset[s])*in_stride + c],
-// c = 0..width-1, every product rounded and every sum taken from the left; 0 for a phase without weights.
+//   out[(q*arity + r)*out_stride + c] = sum_s weight[s] in[(q + offset[s])*in_stride + c],  s in phase r,
+// c = 0..width-1, in the order of Phase, every product and every sum rounded.
 template <class Real>
 struct Groups {
   const Real* weight;
   const std::ptrdiff_t* offset;
-  const std::size_t* begin;
+  const Phase* phase;
   std::size_t arity;
   std::size_t groups;
   std::size_t width;
@@ -21,26 +23,32 @@ struct Groups {
   std::size_t in_stride;
   Real* out;
   std::size_t out_stride;
-  // Past the caches: out is a multiple of 64 bytes, direct_stream(arity, width, ...) holds. A run of groups whose
-  // output is no multiple of 64 bytes ends with ordinary stores.
-  bool stream;
 };
-
-// Can rows of this kind be streamed by the loop itself?
-constexpr bool direct_stream(std::size_t arity, std::size_t width, std::size_t in_stride, std::size_t out_stride) {
-  return arity == 2 && width <= 4 && in_stride == width && out_stride == width;
-}
 
 void run_groups(const Groups<double>& g);
 void run_groups(const Groups<float>& g);
 
-// Several segments of a polygon side by side: a row of `in` is a row of every segment, number c of segment l at
-// [c*segments + l] (two segments of two numbers: [l*2 + c]). They go through a step as one wider row, without any
-// interleaving; run_groups_apart is a step that takes them apart again: rows of segment l to out[l], dense. Binary
-// rules; g.width is that of a segment, g.in_stride of all; g.out and g.stream are not used.
-//
-// How many segments a polygon of doubles is best cut into on this machine; 1 leaves it as it is, 0: do not.
-std::size_t best_segments(std::size_t width);
-void run_groups_apart(const Groups<double>& g, double* const* out);
+// Segments of a polygon side by side: a row of `in` is a row of every segment (place_in_segments), a multiple of a
+// register. They go through a step as one wider row, to `out`; or their rows are taken apart again, those of segment l
+// to apart[l], dense; with `stream` past the caches, apart[l] then being multiples of 64 bytes, and `groups` of 16.
+template <class Real>
+struct SideBySide {
+  const Real* weight;
+  const std::ptrdiff_t* offset;
+  const Phase* phase;
+  std::size_t arity;  // 2 or 3
+  std::size_t groups;
+  std::size_t width;  // of one segment, at most 4
+  const Real* in;
+  Real* out;
+  Real* const* apart;  // nullptr: to out
+  bool stream;
+};
+
+void run_side_by_side(const SideBySide<double>& g);
+void run_side_by_side(const SideBySide<float>& g);
+
+// How many segments a polygon of such rows, of numbers of 8 or 4 bytes, is best cut into on this machine; 0: do not.
+std::size_t best_segments(std::size_t bytes, std::size_t width);
 
 }  // namespace twoscale::kernels::detail

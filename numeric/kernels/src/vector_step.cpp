@@ -6,24 +6,6 @@
 namespace twoscale::kernels::detail {
 
 template <class Real>
-VectorStep<Real>::VectorStep(const Mask<Real>& mask) : arity_(mask.arity), begin_{0} {
-  for (long r = 0; r < arity_; ++r) {
-    for (long s = floor_div(mask.highest() - r, arity_); arity_ * s + r >= mask.lowest; --s) {  // j = q - s upwards
-      const Real weight = mask.a[static_cast<std::size_t>(arity_ * s + r - mask.lowest)];
-      if (weight == Real(0)) continue;
-      weight_.push_back(weight);
-      offset_.push_back(-s);
-    }
-    begin_.push_back(weight_.size());
-  }
-}
-
-template <class Real>
-bool VectorStep<Real>::can_stream(std::size_t width, std::size_t in_stride, std::size_t out_stride) const {
-  return direct_stream(static_cast<std::size_t>(arity_), width, in_stride, out_stride);
-}
-
-template <class Real>
 void VectorStep<Real>::operator()(const Rows<Real>& rows) const {
   const long m = arity_;
   const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(rows.in_stride);
@@ -33,12 +15,9 @@ void VectorStep<Real>::operator()(const Rows<Real>& rows) const {
     const std::size_t r = static_cast<std::size_t>(i - m * q);
     const Real* in = rows.in + (q - rows.in_first) * stride;
     for (std::size_t c = 0; c < rows.width; ++c) {
-      Real sum = 0;
-      for (std::size_t s = begin_[r]; s < begin_[r + 1]; ++s) {
-        const Real term = weight_[s] * in[offset_[s] * stride + static_cast<std::ptrdiff_t>(c)];
-        sum = s == begin_[r] ? term : sum + term;
-      }
-      out[c] = sum;
+      out[c] = sum_of_phase(phases_.phase[r], phases_.weight.data(), [&](std::size_t s) {
+        return in[phases_.offset[s] * stride + static_cast<std::ptrdiff_t>(c)];
+      });
     }
     out += rows.out_stride;
   };
@@ -49,8 +28,8 @@ void VectorStep<Real>::operator()(const Rows<Real>& rows) const {
   for (; i < std::min(end, m * q_first); ++i) single(i);
   if (q_end > q_first) {
     const std::size_t groups = static_cast<std::size_t>(q_end - q_first);
-    run_groups({weight_.data(), offset_.data(), begin_.data(), static_cast<std::size_t>(m), groups, rows.width,
-                rows.in + (q_first - rows.in_first) * stride, rows.in_stride, out, rows.out_stride, rows.stream});
+    run_groups({phases_.weight.data(), phases_.offset.data(), phases_.phase.data(), static_cast<std::size_t>(m), groups,
+                rows.width, rows.in + (q_first - rows.in_first) * stride, rows.in_stride, out, rows.out_stride});
     out += groups * static_cast<std::size_t>(m) * rows.out_stride;
     i = m * q_end;
   }
@@ -58,29 +37,25 @@ void VectorStep<Real>::operator()(const Rows<Real>& rows) const {
 }
 
 template <class Real>
-void VectorStep<Real>::whole_groups(const Real* in, std::size_t groups, std::size_t width, Real* out,
-                                    bool stream) const {
-  run_groups({weight_.data(), offset_.data(), begin_.data(), static_cast<std::size_t>(arity_), groups, width, in, width,
-              out, width, stream});
+void VectorStep<Real>::side_by_side(const Real* in, std::size_t groups, std::size_t width, Real* out) const {
+  run_side_by_side({phases_.weight.data(), phases_.offset.data(), phases_.phase.data(),
+                    static_cast<std::size_t>(arity_), groups, width, in, out, nullptr, false});
 }
 
 template <class Real>
-void VectorStep<Real>::groups_apart(const Real* in, std::size_t groups, std::size_t width, std::size_t segments,
-                                    Real* const* out) const {
-  if constexpr (std::is_same_v<Real, double>) {
-    run_groups_apart(
-        {weight_.data(), offset_.data(), begin_.data(), 2, groups, width, in, width * segments, nullptr, 0, false},
-        out);
-  }
+void VectorStep<Real>::apart(const Real* in, std::size_t groups, std::size_t width, Real* const* out,
+                             bool stream) const {
+  run_side_by_side({phases_.weight.data(), phases_.offset.data(), phases_.phase.data(),
+                    static_cast<std::size_t>(arity_), groups, width, in, nullptr, out, stream});
 }
 
 template <>
-std::size_t segments_of<double>(std::size_t width) {
-  return best_segments(width);
+std::size_t segments_of<double>(int arity, std::size_t width) {
+  return arity <= 3 ? best_segments(sizeof(double), width) : 0;
 }
 template <>
-std::size_t segments_of<float>(std::size_t) {
-  return 0;
+std::size_t segments_of<float>(int arity, std::size_t width) {
+  return arity <= 3 ? best_segments(sizeof(float), width) : 0;
 }
 
 template class VectorStep<double>;

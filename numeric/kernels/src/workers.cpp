@@ -53,8 +53,9 @@ static std::size_t last_cache() {
   return std::size_t{16} << 20;
 }
 
+// A part of the last cache that belongs to many cores is not one core's to fill.
 std::size_t streamed_from() {
-  static const std::size_t bytes = last_cache() / 2;
+  static const std::size_t bytes = std::min(last_cache() / 2, std::size_t{16} << 20);
   return bytes;
 }
 

@@ -10,8 +10,10 @@
 //   where
 //               the first E_left points have the indices -E_left..-1.
 //   phases      with i = m*q + r, 0 <= r < m: f^{k+1}_{mq+r} = sum_s a_{ms+r} f^k_{q-s}.
-//   order       every sum runs over j upwards, and for floating-point types over the nonzero coefficients only, so that
-//               results do not depend on the path taken, and points kept by an interpolating rule keep their bits.
+//   order       every sum runs over j upwards. For floating-point types over the nonzero coefficients only, and when
+//               those of a phase are the same from both ends, the points of equal coefficients are added first:
+//               c_0 (f_first + f_last) + c_1 (f_{first+1} + f_{last-1}) + ... So results do not depend on the path
+//               taken, and points kept by an interpolating rule keep their bits.
 //
 // Boundaries
 //
@@ -168,44 +170,88 @@ struct Rows {
   std::size_t width = 0;
   T* out = nullptr;
   std::size_t out_stride = 0;
-  bool stream = false;  // past the caches, if VectorStep::can_stream
 };
+
+// Numbers that are rounded: the order of their sums matters (see above). Other types take every coefficient.
+template <class T>
+inline constexpr bool is_rounded = std::is_floating_point_v<T>;
+
+// The weights begin..end-1 of a phase, of which `pairs` are the same from both ends: all of them, or (the middle one
+// apart) none.
+struct Phase {
+  std::size_t begin = 0, end = 0;
+  std::size_t pairs = 0;
+  bool copies = false;  // one weight, 1
+};
+
+// A mask by phases: the nonzero weights of phase r, j upwards, and where their points are, seen from point q.
+template <class T>
+struct Phases {
+  std::vector<T> weight;
+  std::vector<std::ptrdiff_t> offset;
+  std::vector<Phase> phase;
+
+  explicit Phases(const Mask<T>& mask) {
+    const long m = mask.arity;
+    for (long r = 0; r < m; ++r) {
+      Phase now{weight.size(), 0, 0, false};
+      for (long s = floor_div(mask.highest() - r, m); m * s + r >= mask.lowest; --s) {
+        const T& w = mask.a[static_cast<std::size_t>(m * s + r - mask.lowest)];
+        if (w == T(0)) continue;
+        weight.push_back(w);
+        offset.push_back(-s);
+      }
+      now.end = weight.size();
+      const auto first = weight.begin() + static_cast<std::ptrdiff_t>(now.begin);
+      const std::size_t half = (now.end - now.begin) / 2;
+      if (std::equal(first, first + static_cast<std::ptrdiff_t>(half), weight.rbegin())) now.pairs = half;
+      now.copies = now.end - now.begin == 1 && weight.back() == T(1);
+      phase.push_back(now);
+    }
+  }
+};
+
+// The sum over a phase; at(s) is the number that weight s belongs to.
+template <class T, class At>
+T sum_of_phase(const Phase& phase, const T* weight, At at) {
+  if (phase.begin == phase.end) return T(0);
+  const std::size_t middle = phase.begin + phase.pairs;
+  std::size_t s = phase.begin;
+  T sum = s < middle ? weight[s] * (at(s) + at(phase.end - 1)) : weight[s] * at(s);
+  for (++s; s < middle; ++s) sum = sum + weight[s] * (at(s) + at(phase.end - 1 - (s - phase.begin)));
+  for (; s < phase.end - phase.pairs; ++s) sum = sum + weight[s] * at(s);
+  return sum;
+}
 
 // One step, one number at a time.
 template <class T>
 class PlainStep {
  public:
-  explicit PlainStep(const Mask<T>& mask) : mask_(mask) {}
+  explicit PlainStep(const Mask<T>& mask) : mask_(mask) {
+    if constexpr (is_rounded<T>) phases_.emplace(mask);
+  }
 
   void operator()(const Rows<T>& rows) const {
     const long m = mask_.arity;
-    const long lowest = mask_.lowest;
-    const long highest = mask_.highest();
     for (std::size_t row = 0; row < rows.count; ++row) {
       const long i = rows.out_first + static_cast<long>(row);
-      const long j_first = ceil_div(i - highest, m);
-      const long j_last = floor_div(i - lowest, m);
-      const auto coefficient = [&](long j) -> const T& {
-        return mask_.a[static_cast<std::size_t>(i - m * j - lowest)];
-      };
       for (std::size_t c = 0; c < rows.width; ++c) {
         const auto point = [&](long j) -> const T& {
           return rows.in[static_cast<std::size_t>(j - rows.in_first) * rows.in_stride + c];
         };
         T& out = rows.out[row * rows.out_stride + c];
-        if constexpr (std::is_floating_point_v<T>) {
-          bool begun = false;
-          T sum = 0;
-          for (long j = j_first; j <= j_last; ++j) {
-            if (coefficient(j) == T(0)) continue;
-            const T term = coefficient(j) * point(j);
-            sum = begun ? sum + term : term;
-            begun = true;
-          }
-          out = sum;
+        if constexpr (is_rounded<T>) {
+          const long q = floor_div(i, m);
+          out = sum_of_phase(phases_->phase[static_cast<std::size_t>(i - m * q)], phases_->weight.data(),
+                             [&](std::size_t s) { return point(q + phases_->offset[s]); });
         } else {
-          T sum = coefficient(j_first) * point(j_first);
-          for (long j = j_first + 1; j <= j_last; ++j) sum = sum + coefficient(j) * point(j);
+          const auto term = [&](long j) {
+            return mask_.a[static_cast<std::size_t>(i - m * j - mask_.lowest)] * point(j);
+          };
+          const long j_last = floor_div(i - mask_.lowest, m);
+          long j = ceil_div(i - mask_.highest(), m);
+          T sum = term(j);
+          while (++j <= j_last) sum = sum + term(j);
           out = std::move(sum);
         }
       }
@@ -214,31 +260,25 @@ class PlainStep {
 
  private:
   Mask<T> mask_;
+  std::optional<Phases<T>> phases_;
 };
 
 // The same for double and float by vector instructions; the bits are those of PlainStep.
 template <class Real>
 class VectorStep {
  public:
-  explicit VectorStep(const Mask<Real>& mask);
+  explicit VectorStep(const Mask<Real>& mask) : arity_(mask.arity), phases_(mask) {}
 
   void operator()(const Rows<Real>& rows) const;
 
-  // Can rows of this shape be written past the caches?
-  bool can_stream(std::size_t width, std::size_t in_stride, std::size_t out_stride) const;
-
-  // Whole groups of dense rows; `in` is the row of the first point whose group it is.
-  void whole_groups(const Real* in, std::size_t groups, std::size_t width, Real* out, bool stream) const;
-  // The same of several segments side by side, taken apart (step_groups.hpp).
-  void groups_apart(const Real* in, std::size_t groups, std::size_t width, std::size_t segments,
-                    Real* const* out) const;
+  // The same of several segments side by side: rows of `in` hold a row of each; `in` is the row of the first point
+  // whose group is wanted. Out come such rows, or the rows of every segment apart.
+  void side_by_side(const Real* in, std::size_t groups, std::size_t width, Real* out) const;
+  void apart(const Real* in, std::size_t groups, std::size_t width, Real* const* out, bool stream) const;
 
  private:
   long arity_;
-  // Of phase r the nonzero weights begin_[r]..begin_[r+1]-1, j upwards, and where their rows are, seen from point q.
-  std::vector<Real> weight_;
-  std::vector<std::ptrdiff_t> offset_;
-  std::vector<std::size_t> begin_;
+  Phases<Real> phases_;
 };
 
 extern template class VectorStep<double>;
@@ -247,16 +287,17 @@ extern template class VectorStep<float>;
 template <class T>
 inline constexpr bool is_vectorised = std::is_same_v<T, double> || std::is_same_v<T, float>;
 
-// How many segments of a polygon are refined side by side for rows of this width; 0: it is not cut. Two segments of two
-// numbers lie in a row one after the other, else the first numbers of all segments come first.
+// How many segments of a polygon are refined side by side: number c of row j of segment l is number c + l*width of row
+// j of all, or l + c*segments if the width is no power of 2. 0: it is not cut.
 template <class T>
-std::size_t segments_of(std::size_t width);
+std::size_t segments_of(int arity, std::size_t width);
 template <>
-std::size_t segments_of<double>(std::size_t width);
+std::size_t segments_of<double>(int arity, std::size_t width);
 template <>
-std::size_t segments_of<float>(std::size_t width);
-constexpr std::size_t place_in_segments(std::size_t segments, std::size_t l, std::size_t c) {
-  return segments == 2 ? 2 * l + c : c * segments + l;
+std::size_t segments_of<float>(int arity, std::size_t width);
+constexpr std::size_t most_segments = 16;
+constexpr std::size_t place_in_segments(std::size_t segments, std::size_t width, std::size_t l, std::size_t c) {
+  return (width & (width - 1)) == 0 ? l * width + c : c * segments + l;
 }
 
 template <class T>
@@ -270,6 +311,11 @@ void apply(const Mask<T>& mask, const T* in, long in_first, long out_first, std:
 
 // Copies past the caches, and waits until that is done.
 void stream_copy(const void* from, std::size_t bytes, void* to);
+
+// Numbers that are whole registers, to a place before them: by registers, so that what is read next is found among the
+// stores under way.
+void move_registers(const double* from, std::size_t count, double* to);
+void move_registers(const float* from, std::size_t count, float* to);
 void drain();
 
 // Fills what is stored around a window. Boundary::space extends the left end with the weights `left`, the right end
@@ -390,10 +436,13 @@ struct Job {
   long out_first = 0;
   std::size_t out_stride = 0;
   bool stream = false;
-  std::size_t chunk_values = 0;  // of a piece that goes past the caches at once
+  std::size_t chunk_values = 0;  // of a level, computed at once
   std::size_t segments = 0;      // of a tile
   std::size_t together = 0;      // levels that they go through side by side
 };
+
+// Segments of a tile have a multiple of this many rows: whole points of the level where they are cut, whole lines.
+long segment_unit(const Plan& plan, std::size_t together);
 
 // The scratch in which a piece of the output goes through all levels; nothing is allocated for a piece that needs no
 // more room than the ones before.
@@ -414,7 +463,7 @@ class Tile {
     }
     tile_windows(plan, job.boundary, first, last, windows_);
     cut(job, first, last, width, out);
-    layout(job, width, out, first);
+    layout(job, width);
     // Level 0: where it lies, or gathered.
     const Window& base = windows_[0];
     if (gathered_) {
@@ -431,37 +480,22 @@ class Tile {
       rows_[0] = {points + (base.stored_first - job.points_first) * static_cast<long>(job.stride), base.stored_first,
                   job.stride};
     }
-    for (std::size_t k = 1; k < (segments_ > 0 ? cut_at_ + 1 : levels); ++k) {
+    for (std::size_t k = 1; k < levels && k <= cut_at_; ++k) {
       const Window& w = windows_[k];
       T* const to = scratch_ + at_[k] + static_cast<std::size_t>(w.first - w.stored_first) * width;
-      one_step(job, k, w.first, w.computed(), width, to, width, false);
+      one_step(job, k, w.first, w.computed(), width, to, width);
       fill(job, k, width);
     }
     if constexpr (is_vectorised<T>) {
       if (segments_ > 0) {
         run_segments(job, width, out);
-        if (job.stream) drain();
-        return;
+      } else if (job.stream) {
+        write_past(job, first, last, width, out);
       }
+      if (job.stream) return drain();
+      if (segments_ > 0) return;
     }
-    if (direct_) {
-      one_step(job, levels, first, static_cast<std::size_t>(last - first + 1), width, out, job.out_stride, job.stream);
-    } else if constexpr (is_vectorised<T>) {
-      const long chunk = chunk_rows(job, width);
-      for (long i = first; i <= last; i += chunk) {
-        const auto count = static_cast<std::size_t>(std::min(chunk, last + 1 - i));
-        T* const stage = scratch_ + stage_;
-        T* const to = out + static_cast<std::size_t>(i - first) * job.out_stride;
-        one_step(job, levels, i, count, width, stage, width, false);
-        if (job.out_stride == width) {
-          stream_copy(stage, count * width * sizeof(T), to);
-        } else {
-          for (std::size_t row = 0; row < count; ++row)
-            stream_copy(stage + row * width, width * sizeof(T), to + row * job.out_stride);
-        }
-      }
-    }
-    if (job.stream) drain();
+    one_step(job, levels, first, static_cast<std::size_t>(last - first + 1), width, out, job.out_stride);
   }
 
  private:
@@ -477,114 +511,165 @@ class Tile {
   }
 
   // The last levels of a tile as equal segments side by side: then no register crosses a line, and rows need no
-  // interleaving. Segments are cut at multiples of 2^together rows, so their windows differ by a shift only.
+  // merging until the last level. Segments are cut at multiples of the rows of one point of the level cut_at_, so their
+  // windows differ by a shift only.
   void cut(const Job<T>& job, long first, long last, std::size_t width, const T* out) {
+    const std::size_t levels = job.plan->shapes.size();
     segments_ = 0;
+    cut_at_ = levels;
     if constexpr (is_vectorised<T>) {
-      const Plan& plan = *job.plan;
-      const std::size_t levels = plan.shapes.size();
-      const std::size_t segments = job.segments;
-      if (segments == 0 || job.together < 2 || job.out_stride != width || job.levels->finish) return;
-      const std::size_t together = std::min(levels, job.together);
-      rows_of_segment_ = (last - first + 1) / static_cast<long>(segments);
-      const long unit = std::max(64L, 1L << together);
-      if (first % 2 != 0 || (last - first + 1) % static_cast<long>(segments) != 0 || rows_of_segment_ % unit != 0)
-        return;
+      const auto segments = static_cast<long>(job.segments);
+      if (segments == 0 || job.together == 0 || job.out_stride != width) return;
+      rows_of_segment_ = (last - first + 1) / segments;
+      if ((last - first + 1) % segments != 0 || rows_of_segment_ % segment_unit(*job.plan, job.together) != 0) return;
+      if (first % job.plan->shapes.back().arity != 0) return;
       if (job.stream && reinterpret_cast<std::uintptr_t>(out) % 64 != 0) return;
-      for (const Window& w : windows_)
-        if (w.stored() != w.computed()) return;
-      cut_at_ = levels - together;
-      tile_windows(plan, job.boundary, first, first + rows_of_segment_ - 1, segment_windows_);
-      for (std::size_t k = cut_at_ + 1; k < levels; ++k)
-        if (segment_windows_[k].first % 2 != 0 || segment_windows_[k].last % 2 == 0) return;
-      segments_ = segments;
+      for (std::size_t k = levels - job.together; k < levels; ++k)
+        if (windows_[k].stored() != windows_[k].computed()) return;
+      tile_windows(*job.plan, job.boundary, first, first + rows_of_segment_ - 1, segment_windows_);
+      for (std::size_t k = levels - job.together + 1; k < levels; ++k)
+        if (segment_windows_[k].first % job.plan->shapes[k - 1].arity != 0 ||
+            static_cast<long>(segment_windows_[k].computed()) % job.plan->shapes[k - 1].arity != 0)
+          return;
+      segments_ = job.segments;
+      cut_at_ = levels - job.together;
     }
   }
 
+  // A level of all segments. Groups of rows: those from one point of the level before.
+  struct Side {
+    const Step<T>* step = nullptr;  // from the level before
+    long arity = 1;                 // of that step
+    long behind = 0, ahead = 0;     // group q of the next level comes from the rows q+behind .. q+ahead
+    long done = 0, end = 0;         // the first group that is still to be computed, and past the last one
+    long chunk = 0, more = 0;       // groups computed at once, and some more the first time
+    T* rows = nullptr;
+    long first = 0;  // the row there
+  };
+
+  // The sides of the levels cut_at_..levels-1, and the room they need from `at` on.
+  template <class Take>
+  void lay_sides(const Job<T>& job, std::size_t width, Take take) {
+    const std::size_t levels = job.plan->shapes.size();
+    const std::size_t wide = width * segments_;
+    sides_.assign(levels, {});
+    side_.assign(levels, 0);
+    for (std::size_t k = levels; k-- > cut_at_;) {
+      Side& side = sides_[k];
+      const LevelShape& next = job.plan->shapes[k];
+      const Window& w = segment_windows_[k];
+      side.behind = ceil_div(-next.highest, next.arity);
+      side.ahead = floor_div(next.arity - 1 - next.lowest, next.arity);
+      side.first = w.first;
+      std::size_t rows = w.computed();
+      if (k > cut_at_) {
+        side.step = &step(job, k - 1);
+        side.arity = job.plan->shapes[k - 1].arity;
+        side.done = floor_div(w.first, side.arity);
+        side.end = floor_div(w.last + 1, side.arity);
+        // Half as much for every level further from the last one but two, down to a few groups: so that all of them
+        // stay in the first cache together.
+        const std::size_t halvings = std::min<std::size_t>(levels - 1 - k, 11);
+        side.chunk = std::max(8L, (chunk_rows(job, k, wide) / side.arity) >> (halvings > 0 ? halvings - 1 : 0));
+        side.more = ((side.ahead - side.behind + 1) / side.arity + 4) / 4 * 4;
+        const long asked =
+            k + 1 < levels ? sides_[k + 1].chunk + sides_[k + 1].more : chunk_rows(job, levels, wide) / next.arity;
+        rows = std::min(rows, static_cast<std::size_t>((side.chunk + 2 * side.more) * side.arity + asked));
+      }
+      side_[k] = take(rows * wide);
+    }
+  }
+
+  // All levels of the segments. Each in chunks, as far as the next one needs it: so that they stay in the first cache
+  // and rows are written all the time.
   void run_segments(const Job<T>& job, std::size_t width, T* out) {
     const std::size_t levels = job.plan->shapes.size();
     const std::size_t wide = width * segments_;
+    long shift = rows_of_segment_;
+    for (std::size_t k = levels; k-- > cut_at_;) {
+      shift /= job.plan->shapes[k].arity;
+      sides_[k].rows = scratch_ + side_[k];
+    }
     // The level of the cut, gathered.
     const Window& w = segment_windows_[cut_at_];
     const Source& in = rows_[cut_at_];
-    const long shift = rows_of_segment_ >> (levels - cut_at_);
-    T* to = scratch_ + side_[cut_at_];
+    T* to = sides_[cut_at_].rows;
     for (long j = w.first; j <= w.last; ++j, to += wide)
       for (std::size_t l = 0; l < segments_; ++l) {
         const T* from = in.data + static_cast<std::size_t>(j + static_cast<long>(l) * shift - in.first) * in.stride;
-        for (std::size_t c = 0; c < width; ++c) to[place_in_segments(segments_, l, c)] = from[c];
+        for (std::size_t c = 0; c < width; ++c) to[place_in_segments(segments_, width, l, c)] = from[c];
       }
-    // Each level in small chunks, as far as the next one needs it: so that rows are written past the caches all the
-    // time. The last level but one takes the segments apart; the last one writes a chunk of each in turn.
-    done_.assign(levels, 0);
-    for (std::size_t k = cut_at_; k < levels; ++k) done_[k] = segment_windows_[k].first;
-    done_[cut_at_] = w.last + 1;
-    const Step<T>& last_step = step(job, levels - 1);
-    const long chunk = side_chunk(job);
-    const Window& target = segment_windows_[levels];
-    const long before = segment_windows_[levels - 1].first;
-    for (long i = target.first; i <= target.last; i += chunk) {
-      const long end = std::min(target.last + 1, i + chunk);
-      reach(job, levels - 1, end, chunk, width);
-      for (std::size_t l = 0; l < segments_; ++l) {
-        const long row = static_cast<long>(l) * rows_of_segment_ + i - target.first;
-        last_step.whole_groups(apart_row(levels - 1, l, i / 2 - before, width), static_cast<std::size_t>(end - i) / 2,
-                               width, out + static_cast<std::size_t>(row) * width, job.stream);
-      }
+    // The last level, taken apart.
+    const Step<T>& last = step(job, levels - 1);
+    const long arity = job.plan->shapes[levels - 1].arity;
+    const long chunk = chunk_rows(job, levels, wide) / arity;
+    const long first = segment_windows_[levels].first / arity;
+    const long end = first + rows_of_segment_ / arity;
+    T* place[most_segments] = {};
+    for (std::size_t l = 0; l < segments_; ++l) place[l] = out + l * static_cast<std::size_t>(rows_of_segment_) * width;
+    for (long q = first; q < end; q += chunk) {
+      const long next = std::min(end, q + chunk);
+      reach(levels - 1, q, next, width, wide);
+      last.apart(side_row(levels - 1, q, wide), static_cast<std::size_t>(next - q), width, place, job.stream);
+      for (std::size_t l = 0; l < segments_; ++l) place[l] += static_cast<std::size_t>((next - q) * arity) * width;
     }
-  }
-
-  // Row `row` of segment l of the last level but one.
-  T* apart_row(std::size_t k, std::size_t l, long row, std::size_t width) {
-    return scratch_ + side_[k] + l * room_apart(width) + static_cast<std::size_t>(row) * width;
-  }
-  std::size_t room_apart(std::size_t width) const {
-    return (segment_windows_[segment_windows_.size() - 2].computed() * width + 7) / 8 * 8;
-  }
-
-  static long side_chunk(const Job<T>& job) {
-    return std::max(64L, static_cast<long>(std::min<std::size_t>(job.chunk_values / 4, 1 << 20)) / 64 * 64);
   }
 
   T* side_row(std::size_t k, long j, std::size_t wide) {
-    return scratch_ + side_[k] + (j - segment_windows_[k].first) * static_cast<long>(wide);
+    return sides_[k].rows + (j - sides_[k].first) * static_cast<long>(wide);
   }
 
-  // Level k as far as the rows before `end` of level k+1 need it, and some more.
-  void reach(const Job<T>& job, std::size_t k, long end, long chunk, std::size_t width) {
-    const Window& w = segment_windows_[k];
-    const long need = std::min(w.last, (end - 1 - job.plan->shapes[k].lowest) >> 1) + 1;
-    if (done_[k] >= need) return;
-    const long from = done_[k];
-    const long to = std::min(w.last + 1, (std::max(need, from + chunk) + 63) / 64 * 64);
-    reach(job, k - 1, to, chunk, width);
-    const std::size_t wide = width * segments_;
-    const T* const in = side_row(k - 1, from / 2, wide);
-    const std::size_t groups = static_cast<std::size_t>(to - from) / 2;
-    if (k + 1 < job.plan->shapes.size()) {
-      step(job, k - 1).whole_groups(in, groups, wide, side_row(k, from, wide), false);
-    } else {
-      T* place[4] = {};
-      for (std::size_t l = 0; l < segments_; ++l) place[l] = apart_row(k, l, from - w.first, width);
-      step(job, k - 1).groups_apart(in, groups, width, segments_, place);
+  // Level k as far as the groups from..end-1 of level k+1 need it, and some more; what they do not need is forgotten.
+  // The first chunk has a few groups more: so every later one is asked for when just these are left.
+  void reach(std::size_t k, long from, long end, std::size_t width, std::size_t wide) {
+    if (k == cut_at_) return;
+    Side& side = sides_[k];
+    while (side.done < side.end && side.done * side.arity <= end - 1 + side.ahead) {
+      const long to = std::min(side.end, side.done + side.chunk + std::exchange(side.more, 0));
+      reach(k - 1, side.done, to, width, wide);
+      const long done = side.done * side.arity;
+      const long first = std::clamp(from + side.behind, side.first, done);
+      if (first > side.first) {
+        move_registers(side_row(k, first, wide), static_cast<std::size_t>(done - first) * wide, side.rows);
+        side.first = first;
+      }
+      side.step->side_by_side(side_row(k - 1, side.done, wide), static_cast<std::size_t>(to - side.done), width,
+                              side_row(k, done, wide));
+      side.done = to;
     }
-    done_[k] = to;
   }
 
-  // Rows of the last level on their way past the caches: about chunk_values numbers, whole lines of the output.
-  static long chunk_rows(const Job<T>& job, std::size_t width) {
-    const std::size_t unit = 32 * static_cast<std::size_t>(job.plan->shapes.back().arity);
+  // Rows of level k > 0 computed at once: about chunk_values numbers, whole groups, whole lines of the output.
+  static long chunk_rows(const Job<T>& job, std::size_t k, std::size_t width) {
+    const std::size_t unit = 16 * static_cast<std::size_t>(job.plan->shapes[k - 1].arity);
     return static_cast<long>(unit * std::max<std::size_t>(1, job.chunk_values / (unit * width)));
+  }
+
+  // Rows of the last level on their way past the caches.
+  void write_past(const Job<T>& job, long first, long last, std::size_t width, T* out) {
+    const std::size_t levels = job.plan->shapes.size();
+    const long chunk = chunk_rows(job, levels, width);
+    T* const stage = scratch_ + stage_;
+    for (long i = first; i <= last; i += chunk, out += static_cast<std::size_t>(chunk) * job.out_stride) {
+      const auto count = static_cast<std::size_t>(std::min(chunk, last + 1 - i));
+      one_step(job, levels, i, count, width, stage, width);
+      if (job.out_stride == width) {
+        stream_copy(stage, count * width * sizeof(T), out);
+      } else {
+        for (std::size_t row = 0; row < count; ++row)
+          stream_copy(stage + row * width, width * sizeof(T), out + row * job.out_stride);
+      }
+    }
   }
 
   // Rows of level k from level k-1.
   void one_step(const Job<T>& job, std::size_t k, long first, std::size_t count, std::size_t width, T* out,
-                std::size_t out_stride, bool stream) {
+                std::size_t out_stride) {
     const Source& in = rows_[k - 1];
-    step(job, k - 1)({in.data, in.first, in.stride, first, count, width, out, out_stride, stream});
+    step(job, k - 1)({in.data, in.first, in.stride, first, count, width, out, out_stride});
   }
 
-  void layout(const Job<T>& job, std::size_t width, const T* out, long first) {
+  void layout(const Job<T>& job, std::size_t width) {
     const std::size_t levels = job.plan->shapes.size();
     const Window& base = windows_[0];
     const Window& given = job.plan->windows[0];
@@ -596,30 +681,20 @@ class Tile {
     std::size_t need = 0;
     const auto take = [&](std::size_t count) { return std::exchange(need, need + (count + line - 1) / line * line); };
     if (gathered_) at_[0] = take(base.stored() * width);
-    const std::size_t apart = segments_ > 0 ? cut_at_ + 1 : levels;  // levels before it lie as they are
-    for (std::size_t k = 1; k < apart; ++k) at_[k] = take(windows_[k].stored() * width);
+    for (std::size_t k = 1; k < levels && k <= cut_at_; ++k) at_[k] = take(windows_[k].stored() * width);
     if (segments_ > 0) {
-      side_.assign(levels, 0);
-      for (std::size_t k = cut_at_; k < levels; ++k)
-        side_[k] =
-            take(k + 1 == levels ? room_apart(width) * segments_ : segment_windows_[k].computed() * width * segments_);
+      lay_sides(job, width, take);
+    } else if (job.stream) {
+      stage_ = take(static_cast<std::size_t>(chunk_rows(job, levels, width)) * width);
     }
-    // The last level is written to its place directly, or by way of a chunk.
-    direct_ = true;
-    if constexpr (is_vectorised<T>) {
-      const bool aligned =
-          reinterpret_cast<std::uintptr_t>(out) % 64 == 0 && first % job.plan->shapes.back().arity == 0;
-      const std::size_t in_stride = levels == 1 && !gathered_ ? job.stride : width;
-      direct_ = !job.stream || (aligned && step(job, levels - 1).can_stream(width, in_stride, job.out_stride));
-    }
-    if (segments_ == 0 && !direct_) stage_ = take(static_cast<std::size_t>(chunk_rows(job, width)) * width);
     if (values_.size() < need + line) values_.resize(need + line, job.levels->zero);
     scratch_ = values_.data();
     if constexpr (is_vectorised<T>) {
       const std::uintptr_t past = reinterpret_cast<std::uintptr_t>(scratch_) % 64;
       scratch_ += (64 - past) % 64 / sizeof(T);
     }
-    for (std::size_t k = 1; k < apart; ++k) rows_[k] = {scratch_ + at_[k], windows_[k].stored_first, width};
+    for (std::size_t k = 1; k < levels && k <= cut_at_; ++k)
+      rows_[k] = {scratch_ + at_[k], windows_[k].stored_first, width};
   }
 
   void fill(const Job<T>& job, std::size_t k, std::size_t width) {
@@ -631,18 +706,17 @@ class Tile {
 
   std::vector<Window> windows_;
   std::vector<Source> rows_;  // where level k is
-  std::vector<long> done_;    // the first row of level k that is still to be computed
   std::vector<T> values_;
   T* scratch_ = nullptr;         // the first line of values_
   std::vector<std::size_t> at_;  // from there, where level k begins
   std::size_t stage_ = 0;        // and a chunk of the last level
-  bool direct_ = true;
   bool gathered_ = false;
   std::size_t segments_ = 0;  // of this tile; 0: it is not cut
   std::size_t cut_at_ = 0;    // the level from which on they lie side by side
   long rows_of_segment_ = 0;
   std::vector<Window> segment_windows_;  // of the first one
-  std::vector<std::size_t> side_;        // from scratch_, where level k of all segments begins
+  std::vector<Side> sides_;              // from cut_at_ on
+  std::vector<std::size_t> side_;        // from scratch_, where they begin
 };
 
 extern template class Tile<double>;
@@ -650,9 +724,9 @@ extern template class Tile<float>;
 
 // How the output is cut; for tests and measurements too. The bits do not depend on it.
 struct Cutting {
-  std::size_t tile_values = 65536;   // numbers of the last level in a tile
-  std::size_t chunk_values = 2048;   // of rows on their way past the caches; a quarter as many rows of segments
-  std::size_t together = 10;         // levels of several segments side by side
+  std::size_t tile_values = 262144;  // numbers of the last level in a tile
+  std::size_t chunk_values = 1024;   // numbers of a level computed at once
+  std::size_t together = 10;         // levels of several segments side by side, at most
   std::size_t columns = 64;          // at most that wide
   std::size_t grain_rows = 100'000;  // rows for a thread, at least
   std::optional<bool> stream;        // past the caches; by default when the output is larger than half the last one
@@ -862,7 +936,7 @@ class Refiner {
   struct Grid {
     detail::Job<T>* job;
     std::vector<detail::Tile<T>>* tiles;
-    long first, last, head, rows;
+    long first, last, head, unit, rows;
     std::size_t dim, columns, across;
 
     static void call(void* context, std::size_t worker, std::size_t i) {
@@ -872,7 +946,12 @@ class Refiner {
       const long from =
           g.head > 0 ? (down == 0 ? g.first : g.first + g.head + (down - 1) * g.rows) : g.first + down * g.rows;
       const long to = g.head > 0 && down == 0 ? g.first + g.head - 1 : from + g.rows - 1;
-      (*g.tiles)[worker].run(*g.job, from, std::min(g.last, to), column, std::min(g.columns, g.dim - column));
+      const std::size_t width = std::min(g.columns, g.dim - column);
+      detail::Tile<T>& tile = (*g.tiles)[worker];
+      if (to <= g.last) return tile.run(*g.job, from, to, column, width);
+      const long whole = (g.last + 1 - from) / g.unit * g.unit;  // rows that can be cut into segments
+      if (whole > 0) tile.run(*g.job, from, from + whole - 1, column, width);
+      if (from + whole <= g.last) tile.run(*g.job, from + whole, g.last, column, width);
     }
   };
 
@@ -881,15 +960,20 @@ class Refiner {
     const long m = plan_.shapes.empty() ? 1 : plan_.shapes.back().arity;
     job.chunk_values = cutting_.chunk_values;
     job.stream = cutting_.stream.value_or(out.size_bytes() > detail::streamed_from());
-    Grid g{&job, &tiles_, first, last, 0, 0, dim, std::min(dim, cutting_.columns), 1};
+    Grid g{&job, &tiles_, first, last, 0, 0, 0, dim, std::min(dim, cutting_.columns), 1};
     g.across = (dim + g.columns - 1) / g.columns;
     long unit = 64 * m;  // whole groups, whole lines
     const std::size_t levels = plan_.shapes.size();
-    if (m == 2 && levels > 0 && !levels_.finish && dim <= g.columns) {
-      job.segments = detail::segments_of<T>(dim);
-      job.together = std::min(levels, cutting_.together);
-      unit = std::max(unit, std::max(64L, 1L << job.together) * static_cast<long>(job.segments));
+    if (levels > 0 && !levels_.finish && dim <= g.columns) {
+      job.segments = detail::segments_of<T>(static_cast<int>(m), dim);
+      for (long rows = 1; job.together < std::min(levels, cutting_.together); ++job.together) {
+        rows *= plan_.shapes[levels - 1 - job.together].arity;
+        if (rows > 1024) break;
+      }
+      if (job.segments > 0 && job.together > 0)
+        unit = detail::segment_unit(plan_, job.together) * static_cast<long>(job.segments);
     }
+    g.unit = unit;
     g.rows = unit * std::max(1L, static_cast<long>(cutting_.tile_values / g.columns) / unit);
     if (job.stream) {
       const auto begins_line = [&](long h) {
