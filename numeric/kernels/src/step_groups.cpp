@@ -115,19 +115,19 @@ struct AnyPhases {
   }
 };
 
-// Phase 0 copies, phase 1 has kPairs pairs of weights and no other: in registers, with their rows.
-template <class D, std::size_t kPairs>
+// Phase 0 copies, phase 1 has kPairs pairs of weights of consecutive rows and no other. Rows of kRegisters.
+template <class D, std::size_t kPairs, std::size_t kRegisters>
 struct Interpolating {
   using Real = hn::TFromD<D>;
-  const Real* even;
   std::array<hn::Vec<D>, kPairs> weight;
-  std::array<const Real*, 2 * kPairs> row;
+  const Real *even, *odd;
 
-  HWY_INLINE Interpolating(const SideBySide<Real>& g, std::size_t stride) {
-    const auto at = [&](std::size_t s) { return g.in + g.offset[s] * static_cast<std::ptrdiff_t>(stride); };
-    even = at(g.phase[0].begin);
-#pragma GCC unroll 16
-    for (std::size_t s = 0; s < 2 * kPairs; ++s) row[s] = at(g.phase[1].begin + s);
+  HWY_INLINE explicit Interpolating(const SideBySide<Real>& g) {
+    const auto row = [&](std::size_t s) {
+      return g.in + g.offset[s] * static_cast<std::ptrdiff_t>(kRegisters * hn::MaxLanes(D()));
+    };
+    even = row(g.phase[0].begin);
+    odd = row(g.phase[1].begin);
 #pragma GCC unroll 16
     for (std::size_t s = 0; s < kPairs; ++s) weight[s] = hn::Set(D(), g.weight[g.phase[1].begin + s]);
   }
@@ -136,23 +136,19 @@ struct Interpolating {
   HWY_INLINE void sum(std::size_t r, std::size_t t, V* HWY_RESTRICT to) const {
     const D d;
     constexpr std::size_t lanes = hn::MaxLanes(D());
+    const Real* const from = (r == 0 ? even : odd) + t;
     if (r == 0) {
 #pragma GCC unroll 16
-      for (std::size_t i = 0; i < N; ++i) to[i] = hn::LoadU(d, even + t + i * lanes);
+      for (std::size_t i = 0; i < N; ++i) to[i] = hn::LoadU(d, from + i * lanes);
       return;
     }
 #pragma GCC unroll 16
-    for (std::size_t i = 0; i < N; ++i) {
-      const std::size_t at = t + i * lanes;
-      to[i] = hn::Mul(weight[0], hn::Add(hn::LoadU(d, row[0] + at), hn::LoadU(d, row[2 * kPairs - 1] + at)));
-    }
-#pragma GCC unroll 16
-    for (std::size_t s = 1; s < kPairs; ++s) {
+    for (std::size_t s = 0; s < kPairs; ++s) {
 #pragma GCC unroll 16
       for (std::size_t i = 0; i < N; ++i) {
-        const std::size_t at = t + i * lanes;
-        to[i] = hn::Add(
-            to[i], hn::Mul(weight[s], hn::Add(hn::LoadU(d, row[s] + at), hn::LoadU(d, row[2 * kPairs - 1 - s] + at))));
+        const V pair = hn::Add(hn::LoadU(d, from + (i + s * kRegisters) * lanes),
+                               hn::LoadU(d, from + (i + (2 * kPairs - 1 - s) * kRegisters) * lanes));
+        to[i] = s == 0 ? hn::Mul(weight[s], pair) : hn::Add(to[i], hn::Mul(weight[s], pair));
       }
     }
   }
@@ -315,13 +311,15 @@ void side_by_side(const SideBySide<Real>& g) {
     constexpr std::integral_constant<std::size_t, 3> three;
     if (g.arity == 3) return run(three, AnyPhases<D>{g, stride});
     const Phase& odd = g.phase[1];
-    if (g.phase[0].copies && odd.end - odd.begin == 2 * odd.pairs) {
+    const std::size_t weights = odd.end - odd.begin;
+    if (g.phase[0].copies && weights == 2 * odd.pairs &&
+        g.offset[odd.end - 1] - g.offset[odd.begin] + 1 == static_cast<std::ptrdiff_t>(weights)) {
       switch (odd.pairs) {
-        case 1: return run(two, Interpolating<D, 1>(g, stride));
-        case 2: return run(two, Interpolating<D, 2>(g, stride));
-        case 3: return run(two, Interpolating<D, 3>(g, stride));
-        case 4: return run(two, Interpolating<D, 4>(g, stride));
-        case 8: return run(two, Interpolating<D, 8>(g, stride));
+        case 1: return run(two, Interpolating<D, 1, kRegisters>(g));
+        case 2: return run(two, Interpolating<D, 2, kRegisters>(g));
+        case 3: return run(two, Interpolating<D, 3, kRegisters>(g));
+        case 4: return run(two, Interpolating<D, 4, kRegisters>(g));
+        case 8: return run(two, Interpolating<D, 8, kRegisters>(g));
         default: break;
       }
     }
