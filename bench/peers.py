@@ -66,8 +66,8 @@ def sympy_expression(text):
     return sympy.sympify(text.replace("^", "**"), rational=True)
 
 
-def sympy_linsolve(system):
-    """CPU seconds of the first call, and the median of further ones, which find SymPy's caches filled."""
+def sympy_linsolve(system, again=True):
+    """CPU seconds of the first call, and the median of further ones (again), which find SymPy's caches filled."""
     matrix = sympy.Matrix([[sympy_expression(x) for x in row] for row in system["matrix"]])
     rhs = sympy.Matrix([sympy_expression(x) for x in system["rhs"]])
     unknowns = sympy.symbols(f"w:{len(system['rhs'])}")
@@ -78,7 +78,19 @@ def sympy_linsolve(system):
     start = time.process_time()
     solve()
     first = time.process_time() - start
-    return first, measure(solve, most=5)
+    return first, measure(solve, most=5) if again else None
+
+
+def unfolded(sigma, l):
+    """The conditions zeta_{2j} = delta_j, |j| < l, for the 2l-1 coefficients of omega, nothing folded."""
+    lowest, coefficients = sigma["lowest"], sigma["coefficients"]
+
+    def at(i):
+        return coefficients[i - lowest] if 0 <= i - lowest < len(coefficients) else "0"
+
+    indices = range(1 - l, l)
+    return {"matrix": [[at(2 * j - i) for i in indices] for j in indices],
+            "rhs": ["1" if j == 0 else "0" for j in indices]}
 
 
 def pari_matsolve(system, limit):
@@ -271,7 +283,11 @@ class Run:
                 ours = f"derive/{name}/l:{l}"
                 if ours not in self.ours or (l > 8 and name in OTHERS):
                     continue
-                folded = self.json("derive", "--space", self.ours[ours]["label"])["folded"]
+                derivation = self.json("derive", "--space", self.ours[ours]["label"])
+                folded = derivation["folded"]
+                if alive["sympy"] and l in (4, 8):
+                    first = (within(self.limit, sympy_linsolve, unfolded(derivation["sigma"], l), False) or (None,))[0]
+                    self.compare(f"derive {name}", f"l={l}", ours, "SymPy, not folded", first)
                 if alive["sympy"]:
                     first, again = within(self.limit, sympy_linsolve, folded) or (None, None)
                     alive["sympy"] = first is not None
@@ -358,8 +374,9 @@ class Run:
             for peer in ("eigen_sparse", "opensubdiv"):
                 other = self.ours.get(f"{peer}/D:{dim}")
                 if other:
-                    name = {"eigen_sparse": "Eigen sparse", "opensubdiv": "OpenSubdiv, float"}[peer]
-                    self.compare(job, f"D={dim}", f"ours/D:{dim}", name, other["seconds"])
+                    name, ours = {"eigen_sparse": ("Eigen sparse", "ours"),
+                                  "opensubdiv": ("OpenSubdiv, float", "ours_float")}[peer]
+                    self.compare(job, f"D={dim}", f"{ours}/D:{dim}", name, other["seconds"])
             self.compare("the same, all allocating", f"D={dim}", f"ours_allocating/D:{dim}", "numpy slices",
                          measure(lambda: numpy_refine(points, masks), at_least=1, most=5))
         print(f"\n{'part of the rate of writing, or of the bound':<48} {'threads':>8} {'':>6}")

@@ -316,18 +316,20 @@ BENCHMARK(hermite)->UseManualTime();
 constexpr std::size_t peer_points = 10'000;
 constexpr int peer_levels = 8;
 
+template <class Real>
 void ours(benchmark::State& state) {
   const auto dim = static_cast<std::size_t>(state.range(0));
-  kernels::Refiner<double> refiner(table(six_point, "1/2", peer_levels));
+  kernels::Refiner<Real> refiner(table(six_point, "1/2", peer_levels));
   refiner.set_threads(1);
-  const std::vector<double> in = polygon<double>(peer_points, dim);
-  Buffer<double> out((peer_points << peer_levels) * dim);
+  const std::vector<Real> in = polygon<Real>(peer_points, dim);
+  Buffer<Real> out((peer_points << peer_levels) * dim);
   for (auto _ : state) {
     refiner.refine(in, dim, peer_levels, Boundary::closed, out.span());
     benchmark::ClobberMemory();
   }
 }
-BENCHMARK(ours)->ArgName("D")->DenseRange(1, 4);
+BENCHMARK(ours<double>)->Name("ours")->ArgName("D")->DenseRange(1, 4);
+BENCHMARK(ours<float>)->Name("ours_float")->ArgName("D")->DenseRange(1, 4);
 
 void ours_allocating(benchmark::State& state) {
   const auto dim = static_cast<std::size_t>(state.range(0));

@@ -104,7 +104,7 @@ int run(const Options& o, const Common& common) {
   if (const auto* grid = std::get_if<kernels::PointGrid>(&in)) {
     if (o.extras()) bad_input("--limit, --with and --chord are for polygons, and this is a grid", o.input);
     const Directions d = directions({o.scheme, o.values, o.levels, o.open, o.closed}, o.tensor, *grid);
-    const lowering::RefinedGrid out = lowering::refine_grid(*grid, d.u, d.v, o.digits);
+    const lowering::RefinedGrid out = lowering::refine_grid(*grid, d.u, d.v, o.digits, common.threads);
     kernels::write_file(common.output, kernels::grid_to_bytes(out.grid, format, d.closings()));
     return 0;
   }

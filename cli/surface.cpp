@@ -458,7 +458,8 @@ int run(const Options& o, const Common& common) {
   const auto u_levels = static_cast<unsigned>(o.u_levels.value_or(o.levels));
   const auto v_levels = static_cast<unsigned>(o.v_levels.value_or(o.levels));
   if (o.explain) return explain(o, d, u_levels, v_levels, common);
-  const lowering::RefinedGrid out = lowering::refine_sum(plan(d, d.method, u_levels, v_levels, o.digits), o.digits);
+  const lowering::RefinedGrid out =
+      lowering::refine_sum(plan(d, d.method, u_levels, v_levels, o.digits), o.digits, common.threads);
   const kernels::Closings closings = *out.grid.closings;
   if (!picture) {
     kernels::write_file(common.output, kernels::grid_to_bytes(out.grid, format, closings));

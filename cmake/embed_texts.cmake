@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -DOUTPUT=FILE.cpp -DHEADER=h.hpp -DNAMESPACE=a::b -DFUNCTION=f "-DFILES=a.toml;b.js" -P embed_texts.cmake
+# cmake -DOUTPUT=FILE.cpp -DHEADER=h.hpp -DNAMESPACE=a::b -DFUNCTION=f "-DFILES=a.toml;b.js" [-DFOLDERS=ON] -P embed_texts.cmake
 set(text "// SPDX-License-Identifier: GPL-3.0-or-later\n// Made by cmake/embed_texts.cmake.\n")
 string(APPEND text "#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n\n")
 string(APPEND text "const std::vector<std::pair<std::string, std::string>>& ${FUNCTION}() {\n")
 string(APPEND text "  static const std::vector<std::pair<std::string, std::string>> files = {\n")
 foreach(file IN LISTS FILES)
   get_filename_component(name "${file}" NAME_WE)
+  if(FOLDERS)
+    get_filename_component(folder "${file}" DIRECTORY)
+    get_filename_component(name "${folder}" NAME)
+  endif()
   file(READ "${file}" content)
   string(APPEND text "      {\"${name}\", R\"text(${content})text\"},\n")
 endforeach()

@@ -81,6 +81,24 @@ StatusCell combined(const std::vector<Decision>& decisions, const std::vector<st
   return cell;
 }
 
+// Of claims "C^l" the largest l proved and the least one refuted; below that it is asked until one is proved.
+StatusCell smoothness(const Scheme& scheme, const std::vector<Decision>& decisions) {
+  int proved = -1, refuted = -1;
+  const auto take = [&](const std::vector<Decision>& list) {
+    for (const Decision& d : list) {
+      if (d.claim != "continuity") continue;
+      const int l = d.subject.empty() ? 0 : std::stoi(d.subject);
+      if (d.verdict == Verdict::proved) proved = std::max(proved, l);
+      if (d.verdict == Verdict::refuted) refuted = refuted < 0 ? l : std::min(refuted, l);
+    }
+  };
+  take(decisions);
+  for (int l = refuted - 1; proved < 0 && l >= 0; --l)
+    take(analysis::prove(scheme, {{"continuity", std::to_string(l), ""}}).decisions);
+  if (proved < 0) return combined(decisions, {"continuity"});
+  return {Kind::proved, "C^" + std::to_string(proved) + (refuted < 0 ? "" : ", not C^" + std::to_string(refuted))};
+}
+
 StatusCell smoothness(const Scheme& scheme) {
   try {
     const analysis::Regularity r = analysis::regularity(with_default_values(scheme), {});
@@ -137,7 +155,7 @@ StatusRow status_of(const std::string& name) {
     else if (!refusal.empty())
       row.cells.push_back({Kind::undecided, refusal});
     else
-      row.cells.push_back(combined(decisions, p.claims));
+      row.cells.push_back(p.claims[0] == "continuity" ? smoothness(scheme, decisions) : combined(decisions, p.claims));
   }
   return row;
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """twoscale audit from outside: golden texts (--update writes them), JSON, errata page, --resume, bad input.
 
-    python3 tests/cli/audit_test.py --update      (with TWOSCALE set) rewrites reports/audits/*.txt
+    python3 tests/cli/audit_test.py --update      (with TWOSCALE set) rewrites reports/PAPER/audit.txt
 """
 
 import json
@@ -32,7 +32,7 @@ class Golden(ProgramTest):
         for paper in PAPERS:
             with self.subTest(paper):
                 text = self.twoscale("audit", paper)
-                path = os.path.join(ROOT, "reports", "audits", paper + ".txt")
+                path = os.path.join(ROOT, "reports", paper, "audit.txt")
                 if UPDATE:
                     with open(path, "w", encoding="utf-8") as file:
                         file.write(text)

@@ -56,7 +56,7 @@ std::vector<T> added(std::vector<T> sum, const std::vector<T>& term) {
 
 }  // namespace
 
-RefinedGrid refine_sum(const std::vector<Summand>& summands, long digits) {
+RefinedGrid refine_sum(const std::vector<Summand>& summands, long digits, int threads) {
   if (summands.empty()) bad_input("a sum of surfaces needs at least one summand");
   RefinedGrid result;
   std::vector<SurfaceRefiner<double>> refiners;
@@ -70,6 +70,7 @@ RefinedGrid refine_sum(const std::vector<Summand>& summands, long digits) {
                       std::to_string(s.grid.size.rows) + " x " + std::to_string(s.grid.size.columns) + " points, " +
                           std::to_string(s.u.levels) + " and " + std::to_string(s.v.levels) + " levels");
     refiners.push_back(double_refiner(s));
+    refiners.back().set_threads(threads);
     const GridRange range = refiners.back().output(s.grid.size, run_of(s.u), run_of(s.v));
     const GridParameters parameters = parameters_of(s, range);
     const kernels::Closings closings{s.u.boundary == Boundary::closed, s.v.boundary == Boundary::closed};
@@ -120,8 +121,9 @@ kernels::EndPoints points_beyond_ends(const Scheme& scheme) {
                                      kernels::parse_shift(scheme.shift.to_string()));
 }
 
-RefinedGrid refine_grid(const kernels::PointGrid& grid, const Direction& u, const Direction& v, long digits) {
-  return refine_sum({Summand{grid, u, v, 0}}, digits);
+RefinedGrid refine_grid(const kernels::PointGrid& grid, const Direction& u, const Direction& v, long digits,
+                        int threads) {
+  return refine_sum({Summand{grid, u, v, 0}}, digits, threads);
 }
 
 }  // namespace twoscale::lowering

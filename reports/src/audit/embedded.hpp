@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// reports/audits/*.toml, compiled in by the build.
+// reports/*/audit.toml, compiled in by the build.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace twoscale::reports::audit {
 
-// Name of the file without its ending, and its text.
+// Name of the paper, which is that of the folder, and the text.
 const std::vector<std::pair<std::string, std::string>>& embedded_items();
 
 }  // namespace twoscale::reports::audit

@@ -45,16 +45,17 @@ struct RefinedGrid {
 };
 
 // The refined grids of the summands, added. All must give points at the same parameters, with the same columns.
-// digits: as RefineOptions::digits says; 0 for doubles, where the sum runs over the summands in their order.
+// digits, threads: as RefineOptions says; with doubles the sum runs over the summands in their order.
 // Throws Error or kernels::Error (bad_input): no summand, summands that do not fit together (naming the number of the
 // summand, from 1), too few points in a direction, more than 2^31 points out, a singular step; Error(undecided) if a
 // digit could not be decided.
-RefinedGrid refine_sum(const std::vector<Summand>& summands, long digits);
+RefinedGrid refine_sum(const std::vector<Summand>& summands, long digits, int threads = 0);
 
 // How many points beyond each end the scheme needs (Boundary::given).
 kernels::EndPoints points_beyond_ends(const Scheme& scheme);
 
 // The sum of one.
-RefinedGrid refine_grid(const kernels::PointGrid& grid, const Direction& u, const Direction& v, long digits);
+RefinedGrid refine_grid(const kernels::PointGrid& grid, const Direction& u, const Direction& v, long digits,
+                        int threads = 0);
 
 }  // namespace twoscale::lowering
