@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "hermite.hpp"
+#include "knots.hpp"
 #include "regularity.hpp"
 #include "session.hpp"
 #include "spectrum.hpp"
@@ -47,12 +48,27 @@ struct Options {
   int levels = 6;
   Values at;
   TensorOptions tensor;
+  KnotChoice knots;
 };
+
+// Points on knots without the columns lambda, d, tag.
+PointSet coordinates_alone(const PointSet& points) {
+  kernels::KnotOptions options;
+  options.levels = 0;
+  const kernels::KnotColumns columns = kernels::knot_columns(points, options);
+  PointSet out;
+  out.dim = columns.coordinates.size();
+  for (const std::size_t c : columns.coordinates) out.columns.push_back(points.columns[c]);
+  for (std::size_t j = 0; j < points.size(); ++j)
+    for (const std::size_t c : columns.coordinates) out.values.push_back(points.values[j * points.dim + c]);
+  return out;
+}
 
 struct Data {
   PointSet points;                    // coordinates
   std::optional<PointSet> tensioned;  // the same with the column v0, if there is one
   PointSet vertices;                  // with their derivatives, if the scheme carries such
+  std::optional<PointSet> on_knots;   // the same with the columns lambda, d, tag, if the scheme is one on knots
   Boundary boundary = Boundary::closed;
   bool closed() const { return boundary == Boundary::closed; }
 };
@@ -61,6 +77,12 @@ Data read_data(const Scheme& s, const Options& o) {
   if (o.input.empty()) bad_input("plot " + o.kind + ": a file of points is missing", o.kind + " " + o.scheme);
   Data d;
   d.points = kernels::read_points(o.input);
+  if (!s.kernel.empty()) {
+    if (o.at.v0 || o.at.t || !o.at.at.empty())
+      bad_input("the parameters of this scheme come with the points (columns lambda, d, tag), not from options", s.id);
+    d.on_knots = d.points;
+    d.points = coordinates_alone(d.points);
+  }
   if (lowering::has_edge_tension(d.points)) {
     d.tensioned = d.points;
     d.points = lowering::without_edge_tension(d.points);
@@ -102,8 +124,17 @@ Refined refine_hermite(const Scheme& s, const std::optional<ExactReal>& w, const
   return {fine.values, fine.dim, 0, std::ldexp(1.0, -o.levels)};
 }
 
+// Schemes on knots; the parameter counts edges.
+Refined refine_knots(const Scheme& s, const Data& d, const Options& o) {
+  check_size(s, d, o);
+  const kernels::KnotOptions options = knot_options(*d.on_knots, static_cast<unsigned>(o.levels), d.boundary, o.knots);
+  const PointSet fine = coordinates_alone(refine_on_knots(named_scheme(o.scheme), *d.on_knots, options, 0));
+  return {fine.values, fine.dim, 0, std::ldexp(1.0, -o.levels)};
+}
+
 // With the values of the command line, or those of the edges.
 Refined refine(const Scheme& s, const Data& d, const Options& o) {
+  if (d.on_knots) return refine_knots(s, d, o);
   if (s.block > 1) return refine_hermite(s, tension(o.at), d, o);
   if (!d.tensioned) return refine(s, lowering::bind(s, o.at.v0, o.at.t, o.at.named()), d, o);
   if (o.at.v0 || o.at.t || !o.at.at.empty())
@@ -124,7 +155,9 @@ Line polygon(const Scheme& s, const Data& d) {
   l.style = Line::Style::polygon;
   l.closed = d.closed();
   l.title = "polygon";
-  const kernels::EndPoints ends = d.boundary == Boundary::given ? reports::points_beyond_ends(s) : kernels::EndPoints{};
+  // On knots the points beyond the ends are drawn too.
+  const bool cropped = d.boundary == Boundary::given && !d.on_knots;
+  const kernels::EndPoints ends = cropped ? reports::points_beyond_ends(s) : kernels::EndPoints{};
   const auto dim = static_cast<std::ptrdiff_t>(d.points.dim);
   l.values.assign(d.points.values.begin() + ends.left * dim, d.points.values.end() - ends.right * dim);
   return l;
@@ -304,7 +337,11 @@ Picture regularity(const Scheme& scheme, const Options& o) {
 }
 
 Picture picture(const Options& o) {
-  const Scheme s = make_scheme(o.scheme);
+  const Scheme s = named_scheme(o.scheme).scheme;
+  if (s.kernel.empty() && o.knots.any())
+    bad_input("--parametrization and --reparametrize are for schemes on knots (nuli4, nuli6, lagrange4)", s.id);
+  if (!s.kernel.empty() && o.kind != "curve" && o.kind != "comb" && o.kind != "curvature")
+    bad_input("plot " + o.kind + " is not there for schemes on knots", s.id);
   if (o.kind != "regularity" && !o.over.empty()) bad_input("--over belongs to plot regularity", o.over);
   if (o.kind == "regularity") return regularity(s, o);
   if (o.kind == "spectrum") return spectrum(s, o);
@@ -367,6 +404,7 @@ void add_plot_command(CLI::App& app, Session& session) {
   CLI::Option* closed = c->add_flag("--closed", o->closed, "closed polygon (default)");
   c->add_option("--open", o->open, "open polygon: given, linear or space")->type_name("RULE")->excludes(closed);
   add_tensor(c, o->tensor);
+  add_knot_choice(c, o->knots);
   c->callback([&session, o, c] {
     session.action = [&session, o, c] {
       const auto format = format_of(session.common);

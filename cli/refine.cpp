@@ -4,16 +4,14 @@
 #include <algorithm>
 
 #include "hermite.hpp"
+#include "knots.hpp"
 #include "session.hpp"
 #include "tensor.hpp"
 #include "twoscale/kernels/grid_io.hpp"
-#include "twoscale/kernels/nonuniform.hpp"
 #include "twoscale/kernels/write_file.hpp"
-#include "twoscale/lowering/refine_knots.hpp"
 #include "twoscale/lowering/refine_points.hpp"
 #include "twoscale/symbolic/catalog.hpp"
 #include "twoscale/symbolic/error.hpp"
-#include "twoscale/symbolic/sampled_scheme.hpp"
 
 namespace twoscale::cli {
 
@@ -29,8 +27,7 @@ struct Options {
   std::string open;
   TensorOptions tensor;
   bool jets = false;
-  std::optional<std::string> parametrization;
-  bool reparametrize = false;
+  KnotChoice knots;
   bool limit = false;
   std::vector<std::string> with;
   std::optional<double> chord;
@@ -39,31 +36,15 @@ struct Options {
 };
 
 // Schemes with local parameters: knots and edge parameters come with the points.
-int run_on_knots(const Options& o, const Common& common, const Scheme& s, const std::optional<SampledScheme>& sampled,
-                 kernels::PointFormat format) {
+int run_on_knots(const Options& o, const Common& common, const NamedScheme& named, kernels::PointFormat format) {
   if (o.values.v0 || o.values.t || !o.values.at.empty())
-    bad_input("the parameters of this scheme come with the points (columns lambda, d, tag), not from options", s.id);
-  if (o.tensor.any()) bad_input("--tensor is not there for schemes on knots", s.id);
-  kernels::KnotOptions knots;
-  knots.levels = static_cast<int>(o.levels);
-  if (!o.open.empty()) knots.boundary = kernels::parse_boundary(o.open);
-  knots.parametrization = kernels::parse_parametrization(o.parametrization.value_or("centripetal"));
-  knots.reparametrize = o.reparametrize;
+    bad_input("the parameters of this scheme come with the points (columns lambda, d, tag), not from options",
+              named.scheme.id);
+  if (o.tensor.any()) bad_input("--tensor is not there for schemes on knots", named.scheme.id);
+  const auto boundary = o.open.empty() ? kernels::Boundary::closed : kernels::parse_boundary(o.open);
   const kernels::PointSet in = kernels::read_points(o.input);
-  if (!o.parametrization && !o.reparametrize &&
-      std::find(in.columns.begin(), in.columns.end(), "d") != in.columns.end())
-    knots.parametrization = kernels::Parametrization::given;
-  kernels::PointSet out;
-  if (sampled) {
-    out = o.digits == 0 ? lowering::refine_by_weights(*sampled, in, knots)
-                        : lowering::refine_by_weights(*sampled, in, knots, o.digits);
-  } else {
-    const kernels::KnotRule rule = kernels::parse_knot_rule(s.kernel);
-    out = o.digits == 0 ? kernels::refine_on_knots(in, rule, knots)
-                        : lowering::refine_on_knots(in, rule, knots, o.digits);
-  }
-  const bool closed = knots.boundary == kernels::Boundary::closed;
-  kernels::write_file(common.output, kernels::points_to_bytes(out, format, closed));
+  const kernels::PointSet out = refine_on_knots(named, in, knot_options(in, o.levels, boundary, o.knots), o.digits);
+  kernels::write_file(common.output, kernels::points_to_bytes(out, format, boundary == kernels::Boundary::closed));
   return 0;
 }
 
@@ -87,15 +68,15 @@ int run(const Options& o, const Common& common) {
   const std::string target = common.format == "text" ? common.output : "." + common.format;
   const kernels::PointFormat format = kernels::point_format(target);
   if (!o.open.empty()) open_rule("--open", o.open);
-  const auto sampled = sampled_scheme(o.scheme);
-  const Scheme s = sampled ? sampled->outline() : make_scheme(o.scheme);
-  if (s.kernel.empty() && (o.parametrization || o.reparametrize))
+  const NamedScheme named = named_scheme(o.scheme);
+  const Scheme& s = named.scheme;
+  if (s.kernel.empty() && o.knots.any())
     bad_input("--parametrization and --reparametrize are for schemes on knots (nuli4, nuli6, lagrange4)", s.id);
   if (s.block == 1 && o.jets) bad_input("--jets is for schemes of vertices with derivatives", s.id);
   if (o.extras() && (!s.kernel.empty() || s.block > 1))
     bad_input("--limit, --with and --chord are for schemes with one mask a level", s.id);
   if (!o.with.empty() && !o.limit) bad_input("--with belongs to --limit", o.with.front());
-  if (!s.kernel.empty()) return run_on_knots(o, common, s, sampled, format);
+  if (!s.kernel.empty()) return run_on_knots(o, common, named, format);
   if (s.block > 1)
     return refine_hermite_file(s, o.values, o.input, {o.levels, o.open.empty(), o.digits, o.jets}, format, common);
   const bool values = o.values.v0 || o.values.t || !o.values.at.empty();
@@ -185,12 +166,7 @@ void add_refine_command(CLI::App& app, Session& session) {
       ->type_name("E");
   add_tensor(c, o->tensor);
   c->add_flag("--jets", o->jets, "Hermite schemes: print p, r and sigma of every vertex, and the first pole w*");
-  c->add_option_function<std::string>(
-       "--parametrization", [o](const std::string& text) { o->parametrization = text; },
-       "schemes on knots: centripetal, chordal, uniform, or given (column d); default: given if there is a column d, "
-       "else centripetal")
-      ->type_name("KIND");
-  c->add_flag("--reparametrize", o->reparametrize, "schemes on knots: take the knots from the points at every level");
+  add_knot_choice(c, o->knots);
   c->callback([&session, o] { session.action = [&session, o] { return run(*o, session.common); }; });
 }
 

@@ -140,6 +140,26 @@ class Nuli(ProgramTest):
         self.assertEqual(d["local_parameters"]["lambda"], {"offsets": [-1, 0, 1], "rest": "1/2"})
         self.assertEqual(len(d["pieces"]), 4)
 
+    def test_plot(self):
+        """The picture of a curve on knots is that of its refined points; --parametrization and lambda show."""
+        columns = "x,y,lambda\n0,0,{0}\n4,0,0.5\n4,3,0.5\n1,3,0.5\n0,2,0.5\n"
+        pictures = set()
+        for edge, options in (("0.5", []), ("0.125", []), ("0.5", ["--parametrization", "uniform"]),
+                              ("0.5", ["--open=linear"])):
+            path = self.file("p.csv", columns.format(edge))
+            for kind in ("curve", "comb", "curvature"):
+                picture = os.path.join(self.directory, "out.svg")
+                self.twoscale("plot", kind, "nuli4", *options, path, "-o", picture)
+                with open(picture, encoding="utf-8") as file:
+                    pictures.add(file.read())
+        self.assertEqual(len(pictures), 12)
+        self.twoscale("plot", "curve", "nuli:n=5", path, "-o", picture)
+        none = os.path.join(self.directory, "none.svg")
+        self.refused("plot", "basic", "nuli4", "-o", none, naming="basic")
+        self.refused("plot", "curve", "nuli4", "--v0", "1", path, "-o", none, naming="nuli4")
+        self.refused("plot", "curve", "tension4", "--v0", "0", "--reparametrize", path, "-o", none, naming="tension4")
+        self.assertFalse(os.path.exists(none))
+
     def test_refine(self):
         data = self.file("p.csv", "x,y,lambda,d,tag\n0,0,0.5,1,0\n4,1,1,0.5,1\n4.2,3,0,2,1\n1,4,0.5,1,0\n")
         rows = self.twoscale("refine", "nuli4", "--levels", "1", data).split()

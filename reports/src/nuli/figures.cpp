@@ -134,8 +134,8 @@ std::string panel(Part& part, const std::string& id, const std::string& title, c
   return figure(part, {id, title, rows, commands}, picture_of(polygon, curves, window));
 }
 
-std::string refine_command(const std::string& rule, const std::string& file, const std::string& more = "") {
-  return "twoscale refine " + rule + " --levels " + std::to_string(levels) + " " + more + file + " -o curve.csv";
+std::string draw_command(const std::string& rule, const std::string& file, const std::string& more = "") {
+  return "twoscale plot curve " + rule + " --levels " + std::to_string(levels) + " " + more + file + " -o curve.svg";
 }
 
 Section section(const std::string& number, const std::string& title) {
@@ -339,7 +339,7 @@ Section figure_5_1() {
   const Polygon p = hand();
   const std::string file = data_file(s.part, "hand", p);
   close(s, "Centripetal knots, edge parameters 1/2.",
-        panel(s.part, "5.1a", "nuli4", p, {{"nuli4", limit(p, KnotRule::nuli4), 0}}, {refine_command("nuli4", file)}) +
+        panel(s.part, "5.1a", "nuli4", p, {{"nuli4", limit(p, KnotRule::nuli4), 0}}, {draw_command("nuli4", file)}) +
             panel(s.part, "5.1b", "Quadratic NULIFS interpolant", p, {spline("interpolant", p, quadratic, 6)}));
   return s;
 }
@@ -368,7 +368,7 @@ Section figure_5_3() {
   const Curve c{"nuli4", limit(p, KnotRule::nuli4), 0};
   close(s,
         "λ<sub>1</sub> = 1, λ<sub>2</sub> = 0 and λ<sub>4</sub> = 1, λ<sub>5</sub> = 0: creases at the points 2 and 5.",
-        panel(s.part, "5.3a", "nuli4 with two creases", p, {c}, {refine_command("nuli4", file)}) +
+        panel(s.part, "5.3a", "nuli4 with two creases", p, {c}, {draw_command("nuli4", file)}) +
             panel(s.part, "5.3b", "Detail", p, {c}, {}, &upper_right));
   return s;
 }
@@ -384,7 +384,7 @@ Section figure_5_4() {
     const std::string file = data_file(s.part, std::string("edges-") + id, p);
     panels +=
         panel(s.part, id, title, p, {{"nuli4", limit(p, KnotRule::nuli4), 0}, spline("interpolant", p, quadratic, 6)},
-              {refine_command("nuli4", file)});
+              {draw_command("nuli4", file)});
   }
   close(s, "The 4-point scheme beside the quadratic interpolant with the same edge parameters.", panels);
   return s;
@@ -395,7 +395,7 @@ Section figure_5_5() {
   const Polygon p = hand();
   const std::string file = data_file(s.part, "hand", p);
   close(s, "Centripetal knots, edge parameters 1/2.",
-        panel(s.part, "5.5a", "nuli6", p, {{"nuli6", limit(p, KnotRule::nuli6), 4}}, {refine_command("nuli6", file)}) +
+        panel(s.part, "5.5a", "nuli6", p, {{"nuli6", limit(p, KnotRule::nuli6), 4}}, {draw_command("nuli6", file)}) +
             panel(s.part, "5.5b", "Cubic NULIFS interpolant", p, {spline("interpolant", p, cubic, 6)}));
   return s;
 }
@@ -437,7 +437,7 @@ Section figure_5_7() {
   for (const Row& r : rows)
     panels += panel(s.part, r.id, r.title, p,
                     {{r.title, r.again ? iterated(p, r.knot_rule, *r.again) : limit(p, r.knot_rule), r.colour}},
-                    {refine_command(r.rule, file, r.options)});
+                    {draw_command(r.rule, file, r.options)});
   close(s,
         "The same points. With edge parameters 1/2 the curves differ little, as the paper says; iterated chordal knots "
         "are "
