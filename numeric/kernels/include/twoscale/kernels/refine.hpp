@@ -523,7 +523,6 @@ class Tile {
       rows_of_segment_ = (last - first + 1) / segments;
       if ((last - first + 1) % segments != 0 || rows_of_segment_ % segment_unit(*job.plan, job.together) != 0) return;
       if (first % job.plan->shapes.back().arity != 0) return;
-      if (job.stream && reinterpret_cast<std::uintptr_t>(out) % 64 != 0) return;
       for (std::size_t k = levels - job.together; k < levels; ++k)
         if (windows_[k].stored() != windows_[k].computed()) return;
       tile_windows(*job.plan, job.boundary, first, first + rows_of_segment_ - 1, segment_windows_);
@@ -533,6 +532,8 @@ class Tile {
           return;
       segments_ = job.segments;
       cut_at_ = levels - job.together;
+      // Rows that begin no line anywhere (an output of malloc, two numbers a row) are written as usual.
+      past_ = job.stream && reinterpret_cast<std::uintptr_t>(out) % 64 == 0;
     }
   }
 
@@ -610,7 +611,7 @@ class Tile {
     for (long q = first; q < end; q += chunk) {
       const long next = std::min(end, q + chunk);
       reach(levels - 1, q, next, width, wide);
-      last.apart(side_row(levels - 1, q, wide), static_cast<std::size_t>(next - q), width, place, job.stream);
+      last.apart(side_row(levels - 1, q, wide), static_cast<std::size_t>(next - q), width, place, past_);
       for (std::size_t l = 0; l < segments_; ++l) place[l] += static_cast<std::size_t>((next - q) * arity) * width;
     }
   }
@@ -713,6 +714,7 @@ class Tile {
   bool gathered_ = false;
   std::size_t segments_ = 0;  // of this tile; 0: it is not cut
   std::size_t cut_at_ = 0;    // the level from which on they lie side by side
+  bool past_ = false;         // and are written past the caches
   long rows_of_segment_ = 0;
   std::vector<Window> segment_windows_;  // of the first one
   std::vector<Side> sides_;              // from cut_at_ on
