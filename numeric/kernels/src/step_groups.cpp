@@ -312,7 +312,7 @@ void side_by_side(const SideBySide<Real>& g) {
     if (g.arity == 3) return run(three, AnyPhases<D>{g, stride});
     const Phase& odd = g.phase[1];
     const std::size_t weights = odd.end - odd.begin;
-    if (g.phase[0].copies && weights == 2 * odd.pairs &&
+    if (g.phase[0].copies && odd.pairs > 0 && weights == 2 * odd.pairs &&
         g.offset[odd.end - 1] - g.offset[odd.begin] + 1 == static_cast<std::ptrdiff_t>(weights)) {
       switch (odd.pairs) {
         case 1: return run(two, Interpolating<D, 1, kRegisters>(g));
