@@ -37,9 +37,9 @@
 //
 // Execution. Any piece of the output is computed by itself: the windows of the coarser levels that it depends on, then
 // level after level inside a scratch of its own (class Tile). Numbers of other types run as one piece; double and float
-// run in pieces that fit the second cache, on vector instructions and several threads. A finished piece is written
-// once, past the caches when the output is larger than half of the last one. Every number is computed by the same
-// operations in the same order whatever the piece, so the bits depend neither on tiles, threads nor instruction set.
+// run in pieces, on vector instructions and several threads. A finished piece is written once, past the caches when the
+// output is large. Every number is computed by the same operations in the same order whatever the piece, so the bits
+// depend neither on tiles, threads nor instruction set.
 #pragma once
 
 #include <algorithm>
@@ -938,7 +938,7 @@ class Refiner {
   struct Grid {
     detail::Job<T>* job;
     std::vector<detail::Tile<T>>* tiles;
-    long first, last, head, unit, rows;
+    long first, last, head, unit, rows, low, high;
     std::size_t dim, columns, across;
 
     static void call(void* context, std::size_t worker, std::size_t i) {
@@ -947,13 +947,18 @@ class Refiner {
       const std::size_t column = i % g.across * g.columns;
       const long from =
           g.head > 0 ? (down == 0 ? g.first : g.first + g.head + (down - 1) * g.rows) : g.first + down * g.rows;
-      const long to = g.head > 0 && down == 0 ? g.first + g.head - 1 : from + g.rows - 1;
+      const long to = std::min(g.last, g.head > 0 && down == 0 ? g.first + g.head - 1 : from + g.rows - 1);
       const std::size_t width = std::min(g.columns, g.dim - column);
-      detail::Tile<T>& tile = (*g.tiles)[worker];
-      if (to <= g.last) return tile.run(*g.job, from, to, column, width);
-      const long whole = (g.last + 1 - from) / g.unit * g.unit;  // rows that can be cut into segments
-      if (whole > 0) tile.run(*g.job, from, from + whole - 1, column, width);
-      if (from + whole <= g.last) tile.run(*g.job, from + whole, g.last, column, width);
+      const auto run = [&](long begin, long end) {
+        if (begin < end) (*g.tiles)[worker].run(*g.job, begin, end - 1, column, width);
+      };
+      // Rows that can be cut into segments: a multiple of the unit, away from the ends that a boundary fills.
+      const auto units = [&](long rows) { return std::max(0L, rows) / g.unit * g.unit; };
+      const long begin = std::min(to + 1, from + units(g.low - from + g.unit - 1));
+      const long end = begin + units(std::min(to, g.high) + 1 - begin);
+      run(from, begin);
+      run(begin, end);
+      run(end, to + 1);
     }
   };
 
@@ -962,7 +967,7 @@ class Refiner {
     const long m = plan_.shapes.empty() ? 1 : plan_.shapes.back().arity;
     job.chunk_values = cutting_.chunk_values;
     job.stream = cutting_.stream.value_or(out.size_bytes() > detail::streamed_from());
-    Grid g{&job, &tiles_, first, last, 0, 0, 0, dim, std::min(dim, cutting_.columns), 1};
+    Grid g{&job, &tiles_, first, last, 0, 0, 0, first, last, dim, std::min(dim, cutting_.columns), 1};
     g.across = (dim + g.columns - 1) / g.columns;
     long unit = 64 * m;  // whole groups, whole lines
     const std::size_t levels = plan_.shapes.size();
@@ -974,6 +979,14 @@ class Refiner {
       }
       if (job.segments > 0 && job.together > 0)
         unit = detail::segment_unit(plan_, job.together) * static_cast<long>(job.segments);
+      if (job.boundary == Boundary::linear || job.boundary == Boundary::space) {
+        // In points of the level of the cut, of which a unit has at least as many as segments.
+        const detail::LevelShape& shape = plan_.shapes.back();
+        const long reach = (shape.highest - shape.lowest) / (m - 1) + 2 + static_cast<long>(shape.extension);
+        const long beside = unit * ceil_div(reach, static_cast<long>(std::max<std::size_t>(1, job.segments)));
+        g.low = plan_.windows.back().first + beside;
+        g.high = plan_.windows.back().last - beside;
+      }
     }
     g.unit = unit;
     g.rows = unit * std::max(1L, static_cast<long>(cutting_.tile_values / g.columns) / unit);
