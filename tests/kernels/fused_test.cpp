@@ -79,6 +79,24 @@ MaskTable random_table(int arity, int levels, unsigned seed) {
   return table;
 }
 
+// Interpolating masks, mostly of as many symmetric pairs at every level: those whose last steps are taken as one.
+MaskTable interpolating_table(int levels, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-0.5, 0.5);
+  MaskTable table = stationary(2, 0, {1, 1, 1}, "0");
+  const std::size_t pairs = 1 + random() % 5;
+  for (int k = 0; k < levels; ++k) {
+    const std::size_t here = random() % 9 == 0 ? 1 + random() % 5 : pairs;
+    std::vector<double> mask(4 * here - 1, 0.0), weights(1 + random() % 4);
+    mask[2 * here - 1] = 1;
+    for (std::size_t s = 0; s < here; ++s) mask[2 * s] = mask[mask.size() - 1 - 2 * s] = number(random);
+    for (double& a : weights) a = number(random);
+    table.levels.push_back(row(1 - 2 * static_cast<long>(here), mask, weights));
+  }
+  table.limit = table.levels.back();
+  return table;
+}
+
 template <class Real>
 std::vector<Real> plainly(std::span<const Real> points, std::size_t dim, const MaskTable& table, int levels,
                           Boundary boundary) {
@@ -112,11 +130,11 @@ class Targets {  // back to all of them at the end of a test
 };
 
 template <class Real>
-void compare(unsigned seed) {
+void compare(unsigned seed, bool interpolating = false) {
   std::mt19937 random(seed);
-  const int arity = 2 + static_cast<int>(seed % 3 == 0 ? random() % 4 : 0);
+  const int arity = 2 + static_cast<int>(seed % 3 == 0 && !interpolating ? random() % 4 : 0);
   const int levels = 1 + static_cast<int>(random() % (arity == 2 ? 7U : 4U));
-  const MaskTable table = random_table(arity, levels, seed);
+  const MaskTable table = interpolating ? interpolating_table(levels, seed) : random_table(arity, levels, seed);
   const std::size_t dim = seed % 7 == 0 ? 5 + random() % 90 : 1 + random() % 4;
   const std::vector<Real> points = random_points<Real>((30 + random() % 40) * dim, seed);
   for (const Boundary boundary : boundaries) {
@@ -144,6 +162,11 @@ void compare(unsigned seed) {
 
 TEST(Fused, DoublesHaveTheBitsOfThePlainLoop) {
   for (unsigned seed = 0; seed < 60 && !HasFatalFailure(); ++seed) compare<double>(seed);
+}
+
+TEST(Fused, InterpolatingStepsHaveTheBitsOfThePlainLoop) {
+  for (unsigned seed = 200; seed < 260 && !HasFatalFailure(); ++seed) compare<double>(seed, true);
+  for (unsigned seed = 300; seed < 360 && !HasFatalFailure(); ++seed) compare<float>(seed, true);
 }
 
 TEST(Fused, FloatsHaveTheBitsOfThePlainLoop) {

@@ -49,6 +49,8 @@ HWY_NOINLINE void scalar_groups(const Groups<Real>& g, std::size_t from, std::si
 std::size_t segments(std::size_t, std::size_t) { return 0; }
 void doubles_side_by_side(const SideBySide<double>&) {}
 void floats_side_by_side(const SideBySide<float>&) {}
+void three_steps_of_doubles(const ThreeSteps<double>&) {}
+void three_steps_of_floats(const ThreeSteps<float>&) {}
 void move_doubles(const double*, std::size_t, double*) {}
 void move_floats(const float*, std::size_t, float*) {}
 
@@ -241,6 +243,24 @@ std::size_t segments(std::size_t bytes, std::size_t width) {
   return width > 4 ? 0 : bytes == 8 ? of_doubles[width] : of_floats[width];
 }
 
+// Registers that are whole rows of all segments, turned: number `at` of every segment, and on.
+template <std::size_t kSegments, bool kStream, std::size_t kCount, class D, class V, class Real>
+HWY_INLINE void take_apart(D d, V* HWY_RESTRICT row, Real* const* apart, std::size_t at) {
+#pragma GCC unroll 64
+  for (std::size_t i = 0; i < kCount / kSegments; ++i) {
+    turn<kSegments>(d, row + i * kSegments);
+#pragma GCC unroll 16
+    for (std::size_t l = 0; l < kSegments; ++l) {
+      Real* const to = apart[l] + at + i * hn::MaxLanes(D());
+      if constexpr (kStream) {
+        hn::Stream(row[i * kSegments + l], d, to);
+      } else {
+        hn::StoreU(row[i * kSegments + l], d, to);
+      }
+    }
+  }
+}
+
 // From row q on, N rows of every phase: as rows, or apart.
 template <std::size_t kArity, std::size_t kRegisters, std::size_t kSegments, std::size_t N, bool kApart, bool kStream,
           class D, class Real, class PhasesOf>
@@ -261,20 +281,7 @@ HWY_INLINE void block_of_rows(D d, const SideBySide<Real>& g, const PhasesOf& ph
 #pragma GCC unroll 64
     for (std::size_t i = 0; i < all; ++i) hn::StoreU(row[i], d, out + i * lanes);
   } else {
-    const std::size_t at = q * kArity * kRegisters * lanes / kSegments;
-#pragma GCC unroll 64
-    for (std::size_t i = 0; i < all / kSegments; ++i) {
-      turn<kSegments>(d, row + i * kSegments);
-#pragma GCC unroll 16
-      for (std::size_t l = 0; l < kSegments; ++l) {
-        Real* const to = g.apart[l] + at + i * lanes;
-        if constexpr (kStream) {
-          hn::Stream(row[i * kSegments + l], d, to);
-        } else {
-          hn::StoreU(row[i * kSegments + l], d, to);
-        }
-      }
-    }
+    take_apart<kSegments, kStream, all>(d, row, g.apart, q * kArity * kRegisters * lanes / kSegments);
   }
 }
 
@@ -336,6 +343,140 @@ void any_side_by_side(const SideBySide<Real>& g) {
     default: return side_by_side<4>(g);
   }
 }
+
+// The new point of kPairs pairs of rows, from(0) to from(2 kPairs - 1).
+template <std::size_t kPairs, class V, class From>
+HWY_INLINE V new_point(const V* HWY_RESTRICT weight, const From& from) {
+  V sum = hn::Mul(weight[0], hn::Add(from.row(0), from.row(2 * kPairs - 1)));
+#pragma GCC unroll 16
+  for (std::size_t s = 1; s < kPairs; ++s)
+    sum = hn::Add(sum, hn::Mul(weight[s], hn::Add(from.row(s), from.row(2 * kPairs - 1 - s))));
+  return sum;
+}
+
+template <class D>
+struct RowsInMemory {
+  const hn::TFromD<D>* first;
+  long stride;
+  HWY_INLINE hn::Vec<D> row(std::size_t s) const { return hn::LoadU(D(), first + static_cast<long>(s) * stride); }
+};
+
+template <class V>
+struct RowsInRegisters {
+  const V* first;
+  HWY_INLINE const V& row(std::size_t s) const { return first[s]; }
+};
+
+// Row i of a step, from the row of the point that is its row 0.
+template <std::size_t kPairs, class D, class Real = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> row_of_step(D d, const hn::Vec<D>* HWY_RESTRICT weight, const Real* point, long i, long stride) {
+  const long j = i >= 0 ? i / 2 : -((1 - i) / 2);
+  if (i == 2 * j) return hn::LoadU(d, point + j * stride);
+  return new_point<kPairs>(weight, RowsInMemory<D>{point + (j + 1 - static_cast<long>(kPairs)) * stride, stride});
+}
+
+// Every round takes a point, makes two rows of it ahead of those that the second step needs, makes four rows between
+// the last two steps and eight of these. The rows between stay in registers, with those that the next round needs too,
+// for every register of a row.
+template <std::size_t kPairs, std::size_t kRegisters, std::size_t kSegments, bool kStream, class D,
+          class Real = hn::TFromD<D>>
+void three_steps(D d, const ThreeSteps<Real>& g) {
+  using V = hn::Vec<D>;
+  constexpr std::size_t lanes = hn::MaxLanes(D()), stride = kRegisters * lanes;
+  constexpr long row_stride = static_cast<long>(stride), pairs = static_cast<long>(kPairs);
+  constexpr std::size_t kept = 2 * kPairs - 1;
+  constexpr std::size_t rounds = 8 * kRegisters % kSegments == 0 ? 1 : 2;  // until the registers can be turned
+  // Round q needs the rows 2q - behind .. 2q + ahead of the first step.
+  constexpr long behind = pairs + pairs / 2 - 1, ahead = pairs + (pairs + 2) / 2;
+  constexpr std::size_t piece = 32;  // rounds
+  V first[kPairs], second[kPairs], third[kPairs];
+#pragma GCC unroll 16
+  for (std::size_t s = 0; s < kPairs; ++s) {
+    first[s] = hn::Set(d, g.first[s]);
+    second[s] = hn::Set(d, g.second[s]);
+    third[s] = hn::Set(d, g.third[s]);
+  }
+  HWY_ALIGN Real made[(2 * piece + static_cast<std::size_t>(behind + ahead)) * stride];
+  const Real* const points = made + behind * row_stride;
+  for (std::size_t from = 0; from < g.groups; from += piece) {
+    const std::size_t groups = std::min(piece, g.groups - from);
+    const Real* const in = g.in + from * stride;
+    const auto make = [&](std::size_t q, long i) HWY_ATTR {  // row 2q + i of the first step
+#pragma GCC unroll 4
+      for (std::size_t c = 0; c < kRegisters; ++c)
+        hn::StoreU(row_of_step<kPairs>(d, first, in + q * stride + c * lanes, i, row_stride), d,
+                   made + (2 * q + static_cast<std::size_t>(i + behind)) * stride + c * lanes);
+    };
+#pragma GCC unroll 32
+    for (long i = -behind; i < ahead - 1; ++i) make(0, i);
+    V keep[kRegisters][kept];
+#pragma GCC unroll 4
+    for (std::size_t c = 0; c < kRegisters; ++c)
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < kept; ++i)
+        keep[c][i] = row_of_step<kPairs>(d, second, points + c * lanes, static_cast<long>(i) + 1 - pairs, row_stride);
+    for (std::size_t q = 0; q < groups; q += rounds) {
+#pragma GCC unroll 4
+      for (long i = 0; i < 2 * static_cast<long>(rounds); ++i) make(q, ahead - 1 + i);
+      V row[8 * rounds * kRegisters];
+#pragma GCC unroll 4
+      for (std::size_t c = 0; c < kRegisters; ++c) {
+        V window[kept + 4];
+#pragma GCC unroll 16
+        for (std::size_t i = 0; i < kept; ++i) window[i] = keep[c][i];
+#pragma GCC unroll 2
+        for (std::size_t r = 0; r < rounds; ++r) {
+          const Real* const point = points + 2 * (q + r) * stride + c * lanes;
+#pragma GCC unroll 4
+          for (std::size_t i = 0; i < 4; ++i)
+            window[kept + i] = row_of_step<kPairs>(d, second, point, pairs + static_cast<long>(i), row_stride);
+#pragma GCC unroll 4
+          for (std::size_t i = 0; i < 4; ++i) {
+            row[(8 * r + 2 * i) * kRegisters + c] = window[i + kPairs - 1];
+            row[(8 * r + 2 * i + 1) * kRegisters + c] = new_point<kPairs>(third, RowsInRegisters<V>{window + i});
+          }
+#pragma GCC unroll 16
+          for (std::size_t i = 0; i < kept; ++i) window[i] = window[i + 4];
+        }
+#pragma GCC unroll 16
+        for (std::size_t i = 0; i < kept; ++i) keep[c][i] = window[i];
+      }
+      take_apart<kSegments, kStream, 8 * rounds * kRegisters>(d, row, g.apart, (from + q) * 8 * stride / kSegments);
+    }
+  }
+}
+
+template <std::size_t kWidth, class Real>
+void three_steps_of_width(const ThreeSteps<Real>& g) {
+  using D = Whole<Real>;
+  constexpr std::size_t kSegments = segments_for<Real, kWidth>;
+  if constexpr (kSegments > 0) {
+    constexpr std::size_t kRegisters = kWidth * kSegments / hn::MaxLanes(D());
+    const auto run = [&](auto pairs) {
+      return g.stream ? three_steps<decltype(pairs)::value, kRegisters, kSegments, true>(D(), g)
+                      : three_steps<decltype(pairs)::value, kRegisters, kSegments, false>(D(), g);
+    };
+    switch (g.pairs) {
+      case 1: return run(std::integral_constant<std::size_t, 1>());
+      case 2: return run(std::integral_constant<std::size_t, 2>());
+      case 3: return run(std::integral_constant<std::size_t, 3>());
+      default: return run(std::integral_constant<std::size_t, 4>());
+    }
+  }
+}
+
+template <class Real>
+void any_three_steps(const ThreeSteps<Real>& g) {
+  switch (g.width) {
+    case 1: return three_steps_of_width<1>(g);
+    case 2: return three_steps_of_width<2>(g);
+    case 3: return three_steps_of_width<3>(g);
+    default: return three_steps_of_width<4>(g);
+  }
+}
+
+void three_steps_of_doubles(const ThreeSteps<double>& g) { any_three_steps(g); }
+void three_steps_of_floats(const ThreeSteps<float>& g) { any_three_steps(g); }
 
 template <class Real>
 void move_whole(const Real* from, std::size_t count, Real* to) {
@@ -439,12 +580,17 @@ HWY_EXPORT(move_doubles);
 HWY_EXPORT(move_floats);
 HWY_EXPORT(doubles_side_by_side);
 HWY_EXPORT(floats_side_by_side);
+HWY_EXPORT(three_steps_of_doubles);
+HWY_EXPORT(three_steps_of_floats);
 
 void run_groups(const Groups<double>& g) { HWY_DYNAMIC_DISPATCH(groups_of_doubles)(g); }
 void run_groups(const Groups<float>& g) { HWY_DYNAMIC_DISPATCH(groups_of_floats)(g); }
 
 void run_side_by_side(const SideBySide<double>& g) { HWY_DYNAMIC_DISPATCH(doubles_side_by_side)(g); }
 void run_side_by_side(const SideBySide<float>& g) { HWY_DYNAMIC_DISPATCH(floats_side_by_side)(g); }
+
+void run_three_steps(const ThreeSteps<double>& g) { HWY_DYNAMIC_DISPATCH(three_steps_of_doubles)(g); }
+void run_three_steps(const ThreeSteps<float>& g) { HWY_DYNAMIC_DISPATCH(three_steps_of_floats)(g); }
 
 std::size_t best_segments(std::size_t bytes, std::size_t width) { return HWY_DYNAMIC_DISPATCH(segments)(bytes, width); }
 

@@ -48,6 +48,24 @@ struct SideBySide {
 void run_side_by_side(const SideBySide<double>& g);
 void run_side_by_side(const SideBySide<float>& g);
 
+// The last three steps at once, all binary, all copying their points and putting a new one, of `pairs` equal weights
+// from both ends, in the middle of its stencil. Out comes what SideBySide would write apart; `in` is the row of the
+// first point, `groups`, of eight rows each, even.
+template <class Real>
+struct ThreeSteps {
+  const Real *first, *second, *third;  // the weights of the pairs, from the ends to the middle
+  std::size_t pairs;                   // has_three_steps
+  std::size_t groups;
+  std::size_t width;
+  const Real* in;
+  Real* const* apart;
+  bool stream;
+};
+constexpr bool has_three_steps(std::size_t pairs) { return pairs >= 1 && pairs <= 4; }
+
+void run_three_steps(const ThreeSteps<double>& g);
+void run_three_steps(const ThreeSteps<float>& g);
+
 // How many segments a polygon of such rows, of numbers of 8 or 4 bytes, is best cut into on this machine; 0: do not.
 std::size_t best_segments(std::size_t bytes, std::size_t width);
 

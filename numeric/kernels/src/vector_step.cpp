@@ -49,6 +49,24 @@ void VectorStep<Real>::apart(const Real* in, std::size_t groups, std::size_t wid
                     static_cast<std::size_t>(arity_), groups, width, in, nullptr, out, stream});
 }
 
+template <class Real>
+std::size_t VectorStep<Real>::pairs_between() const {
+  const Phases<Real>& p = phases_;
+  if (arity_ != 2 || !p.phase[0].copies || p.offset[p.phase[0].begin] != 0) return 0;
+  const Phase& odd = p.phase[1];
+  const auto n = static_cast<std::ptrdiff_t>(odd.pairs);
+  const bool consecutive =
+      n > 0 && odd.end - odd.begin == 2 * odd.pairs && p.offset[odd.begin] == 1 - n && p.offset[odd.end - 1] == n;
+  return consecutive && has_three_steps(odd.pairs) ? odd.pairs : 0;
+}
+
+template <class Real>
+void VectorStep<Real>::three_apart(const VectorStep& second, const VectorStep& third, const Real* in,
+                                   std::size_t groups, std::size_t width, Real* const* out, bool stream) const {
+  const auto weight = [](const VectorStep& step) { return step.phases_.weight.data() + step.phases_.phase[1].begin; };
+  run_three_steps({weight(*this), weight(second), weight(third), pairs_between(), groups, width, in, out, stream});
+}
+
 template <>
 std::size_t segments_of<double>(int arity, std::size_t width) {
   return arity <= 3 ? best_segments(sizeof(double), width) : 0;

@@ -276,6 +276,12 @@ class VectorStep {
   void side_by_side(const Real* in, std::size_t groups, std::size_t width, Real* out) const;
   void apart(const Real* in, std::size_t groups, std::size_t width, Real* const* out, bool stream) const;
 
+  // The same of this step and two more, the rows between them written nowhere, if all three put new points between the
+  // old ones by the same number of pairs of weights (0: these do not). An even number of groups, of eight rows.
+  std::size_t pairs_between() const;
+  void three_apart(const VectorStep& second, const VectorStep& third, const Real* in, std::size_t groups,
+                   std::size_t width, Real* const* out, bool stream) const;
+
  private:
   long arity_;
   Phases<Real> phases_;
@@ -510,6 +516,12 @@ class Tile {
     return last && job.levels->finish ? *job.levels->finish : job.levels->steps[job.levels->row(k)];
   }
 
+  // Two steps as one.
+  static LevelShape together(const LevelShape& first, const LevelShape& second) {
+    return {first.arity * second.arity, second.lowest + second.arity * first.lowest,
+            second.highest + second.arity * first.highest, 0};
+  }
+
   // The last levels of a tile as equal segments side by side: then no register crosses a line, and rows need no
   // merging until the last level. Segments are cut at multiples of the rows of one point of the level cut_at_, so their
   // windows differ by a shift only.
@@ -532,6 +544,14 @@ class Tile {
           return;
       segments_ = job.segments;
       cut_at_ = levels - job.together;
+      // The last step, or three as one.
+      ends_at_ = levels - 1;
+      end_ = job.plan->shapes[ends_at_];
+      if (job.together >= 3 && first % 8 == 0) {
+        const auto pairs = [&](std::size_t k) { return step(job, k).pairs_between(); };
+        if (pairs(levels - 1) > 0 && pairs(levels - 1) == pairs(levels - 2) && pairs(levels - 1) == pairs(levels - 3))
+          while (ends_at_ > levels - 3) end_ = together(job.plan->shapes[--ends_at_], end_);
+      }
       // Rows that begin no line anywhere (an output of malloc, two numbers a row) are written as usual.
       past_ = job.stream && reinterpret_cast<std::uintptr_t>(out) % 64 == 0;
     }
@@ -548,16 +568,15 @@ class Tile {
     long first = 0;  // the row there
   };
 
-  // The sides of the levels cut_at_..levels-1, and the room they need from `at` on.
+  // The sides of the levels cut_at_..ends_at_, and the room they need.
   template <class Take>
   void lay_sides(const Job<T>& job, std::size_t width, Take take) {
-    const std::size_t levels = job.plan->shapes.size();
     const std::size_t wide = width * segments_;
-    sides_.assign(levels, {});
-    side_.assign(levels, 0);
-    for (std::size_t k = levels; k-- > cut_at_;) {
+    sides_.assign(ends_at_ + 1, {});
+    side_.assign(ends_at_ + 1, 0);
+    for (std::size_t k = ends_at_ + 1; k-- > cut_at_;) {
       Side& side = sides_[k];
-      const LevelShape& next = job.plan->shapes[k];
+      const LevelShape& next = k == ends_at_ ? end_ : job.plan->shapes[k];
       const Window& w = segment_windows_[k];
       side.behind = ceil_div(-next.highest, next.arity);
       side.ahead = floor_div(next.arity - 1 - next.lowest, next.arity);
@@ -568,13 +587,12 @@ class Tile {
         side.arity = job.plan->shapes[k - 1].arity;
         side.done = floor_div(w.first, side.arity);
         side.end = floor_div(w.last + 1, side.arity);
-        // Half as much for every level further from the last one but two, down to a few groups: so that all of them
+        // Half as much for every level before the last of these but one, down to a few groups: so that all of them
         // stay in the first cache together.
-        const std::size_t halvings = std::min<std::size_t>(levels - 1 - k, 11);
+        const std::size_t halvings = std::min<std::size_t>(ends_at_ - k, 11);
         side.chunk = std::max(8L, (chunk_rows(job, k, wide) / side.arity) >> (halvings > 0 ? halvings - 1 : 0));
         side.more = ((side.ahead - side.behind + 1) / side.arity + 4) / 4 * 4;
-        const long asked =
-            k + 1 < levels ? sides_[k + 1].chunk + sides_[k + 1].more : chunk_rows(job, levels, wide) / next.arity;
+        const long asked = k < ends_at_ ? sides_[k + 1].chunk + sides_[k + 1].more : end_groups(job, wide);
         rows = std::min(rows, static_cast<std::size_t>((side.chunk + 2 * side.more) * side.arity + asked));
       }
       side_[k] = take(rows * wide);
@@ -587,32 +605,48 @@ class Tile {
     const std::size_t levels = job.plan->shapes.size();
     const std::size_t wide = width * segments_;
     long shift = rows_of_segment_;
-    for (std::size_t k = levels; k-- > cut_at_;) {
-      shift /= job.plan->shapes[k].arity;
-      sides_[k].rows = scratch_ + side_[k];
-    }
-    // The level of the cut, gathered.
+    for (std::size_t k = levels; k-- > cut_at_;) shift /= job.plan->shapes[k].arity;
+    for (std::size_t k = cut_at_; k <= ends_at_; ++k) sides_[k].rows = scratch_ + side_[k];
+    // The level of the cut, gathered. Rows past the tile's window are there to make whole groups at the end of an open
+    // polygon: nothing that is kept depends on them.
     const Window& w = segment_windows_[cut_at_];
     const Source& in = rows_[cut_at_];
-    T* to = sides_[cut_at_].rows;
-    for (long j = w.first; j <= w.last; ++j, to += wide)
+    T* const to = sides_[cut_at_].rows;
+    const auto gather = [&](auto numbers) {
       for (std::size_t l = 0; l < segments_; ++l) {
-        const T* from = in.data + static_cast<std::size_t>(j + static_cast<long>(l) * shift - in.first) * in.stride;
-        for (std::size_t c = 0; c < width; ++c) to[place_in_segments(segments_, width, l, c)] = from[c];
+        const long j_first = w.first + static_cast<long>(l) * shift;
+        const long rows = std::min(w.last - w.first, windows_[cut_at_].last - j_first) + 1;
+        const T* from = in.data + static_cast<std::size_t>(j_first - in.first) * in.stride;
+        for (std::size_t j = 0; j < static_cast<std::size_t>(rows); ++j, from += in.stride)
+          for (std::size_t c = 0; c < numbers; ++c)
+            to[j * wide + place_in_segments(segments_, numbers, l, c)] = from[c];
       }
+    };
+    switch (width) {
+      case 1: gather(std::integral_constant<std::size_t, 1>()); break;
+      case 2: gather(std::integral_constant<std::size_t, 2>()); break;
+      case 3: gather(std::integral_constant<std::size_t, 3>()); break;
+      default: gather(std::integral_constant<std::size_t, 4>()); break;
+    }
     // The last level, taken apart.
-    const Step<T>& last = step(job, levels - 1);
-    const long arity = job.plan->shapes[levels - 1].arity;
-    const long chunk = chunk_rows(job, levels, wide) / arity;
+    const long arity = end_.arity;
+    const long chunk = end_groups(job, wide);
     const long first = segment_windows_[levels].first / arity;
     const long end = first + rows_of_segment_ / arity;
     T* place[most_segments] = {};
     for (std::size_t l = 0; l < segments_; ++l) place[l] = out + l * static_cast<std::size_t>(rows_of_segment_) * width;
     for (long q = first; q < end; q += chunk) {
       const long next = std::min(end, q + chunk);
-      reach(levels - 1, q, next, width, wide);
-      last.apart(side_row(levels - 1, q, wide), static_cast<std::size_t>(next - q), width, place, past_);
-      for (std::size_t l = 0; l < segments_; ++l) place[l] += static_cast<std::size_t>((next - q) * arity) * width;
+      reach(ends_at_, q, next, width, wide);
+      const auto groups = static_cast<std::size_t>(next - q);
+      const T* const rows = side_row(ends_at_, q, wide);
+      if (ends_at_ + 1 < levels) {
+        step(job, ends_at_)
+            .three_apart(step(job, ends_at_ + 1), step(job, ends_at_ + 2), rows, groups, width, place, past_);
+      } else {
+        step(job, ends_at_).apart(rows, groups, width, place, past_);
+      }
+      for (std::size_t l = 0; l < segments_; ++l) place[l] += groups * static_cast<std::size_t>(arity) * width;
     }
   }
 
@@ -644,6 +678,11 @@ class Tile {
   static long chunk_rows(const Job<T>& job, std::size_t k, std::size_t width) {
     const std::size_t unit = 16 * static_cast<std::size_t>(job.plan->shapes[k - 1].arity);
     return static_cast<long>(unit * std::max<std::size_t>(1, job.chunk_values / (unit * width)));
+  }
+
+  // Groups of the last step, or of the last three, computed at once.
+  long end_groups(const Job<T>& job, std::size_t wide) const {
+    return chunk_rows(job, job.plan->shapes.size(), wide) / end_.arity;
   }
 
   // Rows of the last level on their way past the caches.
@@ -714,6 +753,8 @@ class Tile {
   bool gathered_ = false;
   std::size_t segments_ = 0;  // of this tile; 0: it is not cut
   std::size_t cut_at_ = 0;    // the level from which on they lie side by side
+  std::size_t ends_at_ = 0;   // and the last one of which they do
+  LevelShape end_;            // the step, or the three as one, after it
   bool past_ = false;         // and are written past the caches
   long rows_of_segment_ = 0;
   std::vector<Window> segment_windows_;  // of the first one
