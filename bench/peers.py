@@ -381,11 +381,11 @@ class Run:
                          measure(lambda: numpy_refine(points, masks), at_least=1, most=5))
         print(f"\n{'part of the rate of writing, or of the bound':<48} {'threads':>8} {'':>6}")
         for name, value in self.ours.items():
-            ratio = value["of_write"] or value["of_bound"]
-            if ratio:
-                threads = re.search(r"threads:(\d+)", name)
-                shown = re.sub(r"/threads:\d+|/manual_time", "", name)
-                print(f"{shown:<48} {threads[1] if threads else '1':>8} {100 * ratio:5.0f}%")
+            threads = re.search(r"threads:(\d+)", name)
+            shown = re.sub(r"/threads:\d+|/manual_time", "", name)
+            for of, ratio in (("", value["of_write"]), (", of the bound", value["of_bound"])):
+                if ratio:
+                    print(f"{shown + of:<48} {threads[1] if threads else '1':>8} {100 * ratio:5.0f}%")
 
     def exponents(self):
         """A table of its own: the routes to an exponent, their certificates checked, the plain polytope beside ours."""

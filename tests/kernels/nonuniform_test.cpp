@@ -290,5 +290,86 @@ TEST(Nonuniform, StripsDoNotShow) {
   }
 }
 
+// Some stretches of equal intervals at rest, some vertices with edge parameters.
+template <class T>
+KnotPolygon<T> mixed_polygon(std::size_t n, std::size_t dim, bool closed) {
+  std::mt19937 random(17);
+  const auto number = [&] { return T(static_cast<int>(1 + random() % 63)) / T(64); };
+  KnotPolygon<T> p;
+  p.dim = dim;
+  p.closed = closed;
+  for (std::size_t i = 0; i < n * dim; ++i) p.points.push_back(number());
+  for (std::size_t e = 0; e < (closed ? n : n - 1); ++e) {
+    p.d.push_back(e % 11 < 6 && e > 0 ? p.d.back() : number());
+    p.lambda.push_back(e % 7 == 0 ? number() : T(1) / T(2));
+  }
+  for (std::size_t j = 0; j < n; ++j) p.tagged.push_back(static_cast<unsigned char>(random() % 4 == 0));
+  return p;
+}
+
+template <class T>
+void expect_same(const KnotPolygon<T>& a, const KnotPolygon<T>& b) {
+  EXPECT_TRUE(a.dim == b.dim && a.closed == b.closed);
+  EXPECT_TRUE(a.points == b.points);
+  EXPECT_TRUE(a.d == b.d);
+  EXPECT_TRUE(a.lambda == b.lambda);
+  EXPECT_TRUE(a.tagged == b.tagged);
+}
+
+/// A large result is made in pieces, by threads, and written past the caches: the bits are those of step after step.
+TEST(Nonuniform, PiecesDoNotShow) {
+  struct Case {
+    std::size_t n, dim;
+    int levels;
+  };
+  for (const KnotRule rule : rules)
+    for (const Boundary boundary : {Boundary::closed, Boundary::given, Boundary::linear, Boundary::space})
+      for (const Case& c : {Case{300, 2, 6}, Case{12, 1, 11}, Case{8200, 3, 1}, Case{4000, 2, 8}}) {
+        const auto p = mixed_polygon<double>(c.n, c.dim, boundary == Boundary::closed);
+        SCOPED_TRACE(testing::Message() << static_cast<int>(rule) << ' ' << static_cast<int>(boundary) << ' ' << c.n);
+        KnotPolygon<double> plain = p;
+        for (int k = 0; k < c.levels; ++k) plain = refine_knots(plain, rule, boundary);
+        KnotRefiner<double> refiner;
+        for (const int threads : {1, 0, 2}) {
+          refiner.set_threads(threads);
+          expect_same(refiner.refine(p, rule, c.levels, boundary), plain);
+        }
+      }
+  EXPECT_THROW(KnotRefiner<double>().set_threads(-1), Error);
+}
+
+// Exact numbers that never know that two of them are equal: their rule is never that of equal edges.
+struct Unsure {
+  Exact value;
+  Unsure(int n = 0) : value(n) {}  // NOLINT: numbers convert
+  explicit Unsure(Exact x) : value(std::move(x)) {}
+  friend Unsure operator+(const Unsure& a, const Unsure& b) { return Unsure(Exact(a.value + b.value)); }
+  friend Unsure operator-(const Unsure& a, const Unsure& b) { return Unsure(Exact(a.value - b.value)); }
+  friend Unsure operator*(const Unsure& a, const Unsure& b) { return Unsure(Exact(a.value * b.value)); }
+  friend Unsure operator/(const Unsure& a, const Unsure& b) { return Unsure(Exact(a.value / b.value)); }
+  friend bool operator==(const Unsure& a, const Unsure& b) { return a.value == b.value; }
+  friend bool operator<=(const Unsure& a, const Unsure& b) { return a.value <= b.value; }
+  friend bool operator>=(const Unsure& a, const Unsure& b) { return a.value >= b.value; }
+  friend bool surely_equal(const Unsure&, const Unsure&) { return false; }
+};
+
+/// The rule of equal edges is the one that the divided differences give, exactly.
+TEST(Nonuniform, EqualEdgesAreNoSpecialCase) {
+  for (const KnotRule rule : rules)
+    for (const Boundary boundary : {Boundary::closed, Boundary::given, Boundary::linear, Boundary::space}) {
+      const KnotPolygon<Exact> a =
+          refine_knots(mixed_polygon<Exact>(25, 1, boundary == Boundary::closed), rule, 3, boundary);
+      const KnotPolygon<Unsure> b =
+          refine_knots(mixed_polygon<Unsure>(25, 1, boundary == Boundary::closed), rule, 3, boundary);
+      ASSERT_EQ(a.points.size(), b.points.size());
+      for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(a.points[i], b.points[i].value) << i;
+      for (std::size_t i = 0; i < a.d.size(); ++i) {
+        EXPECT_EQ(a.d[i], b.d[i].value);
+        EXPECT_EQ(a.lambda[i], b.lambda[i].value);
+      }
+      EXPECT_EQ(a.tagged, b.tagged);
+    }
+}
+
 }  // namespace
 }  // namespace twoscale::kernels

@@ -99,9 +99,13 @@ PointSet refine_on_knots(const PointSet& points, KnotRule rule, const KnotOption
   p.tagged = tags_of(points, columns, p);
   validate(p, rule, options.boundary);
 
-  for (int k = 0; k < options.levels; ++k) {
-    if (options.reparametrize && k > 0) p.d = knot_intervals(p.points, p.dim, p.closed, options.parametrization);
-    p = refine_knots(p, rule, options.boundary);
+  if (options.reparametrize) {
+    for (int k = 0; k < options.levels; ++k) {
+      if (k > 0) p.d = knot_intervals(p.points, p.dim, p.closed, options.parametrization);
+      p = refine_knots(p, rule, options.boundary);
+    }
+  } else {
+    p = refine_knots(p, rule, options.levels, options.boundary);
   }
   if (options.boundary == Boundary::given) {
     const long beyond = points_beyond_ends(rule);

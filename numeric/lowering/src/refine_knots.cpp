@@ -36,6 +36,7 @@ class KnotReal {
   friend KnotReal operator/(const KnotReal& a, const KnotReal& b) { return with(arb_div, a, b); }
   friend bool operator==(const KnotReal& a, const KnotReal& b) { return sign(a, b) == 0; }
   friend bool operator<=(const KnotReal& a, const KnotReal& b) { return sign(a, b) <= 0; }
+  friend bool surely_equal(const KnotReal& a, const KnotReal& b) { return (a - b).is_exact_zero(); }
 
  private:
   template <class F>

@@ -17,6 +17,11 @@
 // (these are the rules of the paper, simplified; proved equal in tests/symbolic/nulifs_test.cpp). No weight has a pole
 // for lambda in [0, 1].
 //
+// Where the intervals that a rule reads are equal and the edge parameters 1/2 -- everywhere but beside the vertices of
+// the data, after a few steps -- it is that of the uniform knots, and needs no quotient:
+//   4 points    (p_j + p_{j+1})/2 + (a - b)/16,              a = p_j + p_{j+1}, b = p_{j-1} + p_{j+2}, c = p_{j-2} +
+//   p_{j+3} nuli6       (p_j + p_{j+1})/2 + (20 (a - b) - (b - c))/288
+//
 // Intervals of length 0 are allowed between coinciding points: V_j = 0, the limit of the centripetal parametrisation,
 // and a divided difference over an interval of length 0 is 0. D_j over three
 // coinciding points depends on how they part, but its weight tends to 0: the rule is the limit all the same.
@@ -32,6 +37,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -104,6 +110,12 @@ T quotient_or_zero(const T& a, const T& b) {
   return b == T(0) ? T(0) : a / b;
 }
 
+// Types that enclose numbers, and compare only what they can tell apart, have a surely_equal of their own.
+template <class T>
+bool surely_equal(const T& a, const T& b) {
+  return a == b;
+}
+
 template <class T>
 T quadratic_weight(const T& lambda) {
   const T one(1);
@@ -124,31 +136,42 @@ T cubic_weight(const T& a, const T& b, const T& k, const T& m) {
 
 namespace detail {
 
-// The formulas for a strip of edges, over arrays that stay in the first cache; number i of an array belongs to edge or
-// point first + i. Two strips never depend on each other, and every quotient is formed once in each.
+// Room for a strip; number i of an array belongs to edge or point first + i.
+template <class T>
+struct KnotScratch {
+  std::vector<T> d, lambda, x, first, second, third;
+};
+
+// The formulas for a strip of edges, over arrays that stay in the first cache. Two strips never depend on each other,
+// and every quotient is formed once in each.
 template <class T>
 class KnotStrip {
  public:
   static constexpr long edges_at_once = 256;
 
-  KnotStrip(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary)
+  KnotStrip(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary, KnotScratch<T>& scratch)
       : p_(p),
+        scratch_(scratch),
         rule_(rule),
         n_(static_cast<long>(p.size())),
         edges_(static_cast<long>(p.edges())),
         dim_(static_cast<long>(p.dim)),
-        half_(T(1) / T(2)) {
+        given_(!p.closed && boundary == Boundary::given),
+        half_(T(1) / T(2)),
+        twenty_(T(20)),
+        uniform_(T(1) / T(rule == KnotRule::nuli6 ? 288 : 16)) {
     const std::size_t room = static_cast<std::size_t>(edges_at_once + 2 * reach + 2);
-    d_.resize(room, T(0));
-    lambda_.resize(room, half_);
-    for (auto* rows : {&x_, &first_, &second_, &third_}) rows->resize(room * p.dim, T(0));
-    if (!p.closed) extend_ends(boundary);
+    scratch.d.resize(room, T(0));
+    scratch.lambda.resize(room, half_);
+    for (auto* rows : {&scratch.x, &scratch.first, &scratch.second, &scratch.third}) rows->resize(room * p.dim, T(0));
+    if (!p.closed && !given_) extend_ends(boundary);
   }
 
   // New points of the edges from..to-1 (at most edges_at_once), and the old ones before them, into `out` from its row
   // `row` on.
   void run(long from, long to, KnotPolygon<T>& out, std::size_t row) {
     switch (dim_) {
+      case 1: return run(std::integral_constant<long, 1>(), from, to, out, row);
       case 2: return run(std::integral_constant<long, 2>(), from, to, out, row);
       case 3: return run(std::integral_constant<long, 3>(), from, to, out, row);
       default: return run(dim_, from, to, out, row);
@@ -223,25 +246,145 @@ class KnotStrip {
     }
   }
 
+  // Edges first.. of the polygon and their points; those numbered low..high-1 are edges of the polygon itself. The new
+  // point of number `begin` comes into row row + 1.
+  struct Strip {
+    long first = 0, begin = 0;
+    const T *d = nullptr, *lambda = nullptr, *x = nullptr;
+    long low = 0, high = 0;
+    KnotPolygon<T>* out = nullptr;
+    std::size_t row = 0;
+
+    std::size_t row_of(long i) const { return row + 2 * static_cast<std::size_t>(i - begin); }
+  };
+
   template <class Dim>
   void run(Dim dim, long from, long to, KnotPolygon<T>& out, std::size_t row) {
-    const long a = from - reach, b = to + reach;  // edges a..b-1
-    const bool inside = a >= 0 && b < (p_.closed ? n_ : edges_);
+    long a = from - reach, b = to + reach;  // edges a..b-1
+    if (given_) {
+      a = std::max(a, 0L);
+      b = std::min(b, edges_);
+    }
+    const bool inside = given_ || (a >= 0 && b < (p_.closed ? n_ : edges_));
     if (!inside) {
       for (long e = a; e < b; ++e) {
         const auto [interval, parameter] = edge(e);
-        d_[static_cast<std::size_t>(e - a)] = interval;
-        lambda_[static_cast<std::size_t>(e - a)] = parameter;
+        scratch_.d[static_cast<std::size_t>(e - a)] = interval;
+        scratch_.lambda[static_cast<std::size_t>(e - a)] = parameter;
       }
       for (long j = a; j <= b; ++j)
-        if (p_.closed || (j >= 0 && j < n_)) std::copy_n(point(j), dim_, &x_[static_cast<std::size_t>((j - a) * dim)]);
+        if (p_.closed || (j >= 0 && j < n_))
+          std::copy_n(point(j), dim_, &scratch_.x[static_cast<std::size_t>((j - a) * dim)]);
     }
-    const T* const d = inside ? &p_.d[static_cast<std::size_t>(a)] : d_.data();
-    const T* const lambda = inside ? &p_.lambda[static_cast<std::size_t>(a)] : lambda_.data();
-    const T* const x = inside ? &p_.points[static_cast<std::size_t>(a * dim)] : x_.data();
-    T* const first = first_.data();
-    T* const second = second_.data();
-    T* const third = third_.data();
+    Strip s;
+    s.first = a;
+    s.begin = from - a;
+    s.d = inside ? &p_.d[static_cast<std::size_t>(a)] : scratch_.d.data();
+    s.lambda = inside ? &p_.lambda[static_cast<std::size_t>(a)] : scratch_.lambda.data();
+    s.x = inside ? &p_.points[static_cast<std::size_t>(a * dim)] : scratch_.x.data();
+    s.low = p_.closed ? 0 : std::max(-a, 0L);
+    s.high = (p_.closed ? b : std::min(b, edges_)) - a;
+    s.out = &out;
+    s.row = row;
+    // Stretches of equal edges at rest; all that the rules of their inner edges read is the same.
+    const long inner = half_width(rule_) - 1;
+    const long end = to - a;
+    long done = s.begin;
+    for (long i = s.low; i < s.high && done < end;) {
+      const long stretch = i;
+      i = end_of_stretch(s, stretch);
+      const long low = std::max(done, stretch + inner), high = std::min(end, i - inner);
+      if (low >= high) continue;
+      if (done < low) any_edges(dim, s, done, low);
+      equal_edges(dim, s, low, high);
+      done = high;
+    }
+    if (done < end) any_edges(dim, s, done, end);
+  }
+
+  // Past the edges from `stretch` on that are equal and at rest; it is one of them, if there are any.
+  long end_of_stretch(const Strip& s, long stretch) const {
+    const bool any_lambda = rule_ == KnotRule::lagrange4;
+    const T& d = s.d[stretch];
+    if (!any_lambda && !surely_equal(s.lambda[stretch], half_)) return stretch + 1;
+    long i = stretch + 1;
+    if constexpr (is_rounded<T>) {  // many at once
+      constexpr long block = 8;
+      const T* const lambda = any_lambda ? s.d : s.lambda;
+      const T& rest = any_lambda ? d : half_;
+      for (; i + block <= s.high; i += block) {
+        long others = 0;
+        for (long k = 0; k < block; ++k) others += (s.d[i + k] == d ? 0 : 1) + (lambda[i + k] == rest ? 0 : 1);
+        if (others != 0) break;
+      }
+    }
+    while (i < s.high && surely_equal(s.d[i], d) && (any_lambda || surely_equal(s.lambda[i], half_))) ++i;
+    return i;
+  }
+
+  // New points of the edges numbered from..to-1, whose rule is that of equal intervals and lambda = 1/2.
+  template <class Dim>
+  void equal_edges(Dim dim, const Strip& s, long from, long to) {
+    const std::size_t row = s.row_of(from);
+    const long numbers = (to - from) * dim;
+    const T* const old = s.x + from * dim;
+    T* const made = scratch_.third.data();
+    if (rule_ == KnotRule::nuli6) {
+      for (long i = 0; i < numbers; ++i) {
+        const T a = old[i] + old[i + dim];
+        const T b = old[i - dim] + old[i + 2 * dim];
+        const T c = old[i - 2 * dim] + old[i + 3 * dim];
+        made[i] = a * half_ + (twenty_ * (a - b) - (b - c)) * uniform_;
+      }
+    } else {
+      for (long i = 0; i < numbers; ++i) {
+        const T a = old[i] + old[i + dim];
+        const T b = old[i - dim] + old[i + 2 * dim];
+        made[i] = a * half_ + (a - b) * uniform_;
+      }
+    }
+    T* fine = &s.out->points[row * p_.dim];
+    for (long i = 0; i < numbers; i += dim, fine += 2 * dim)
+      for (long c = 0; c < dim; ++c) {
+        fine[c] = old[i + c];
+        fine[dim + c] = made[i + c];
+      }
+    if (rule_ == KnotRule::lagrange4) return inherit(s, from, to);
+    const auto edges = static_cast<std::size_t>(to - from);
+    std::fill_n(&s.out->d[row], 2 * edges, T(s.d[from] * half_));
+    std::fill_n(&s.out->lambda[row], 2 * edges, half_);
+    unsigned char* const tags = &s.out->tagged[row];
+    const unsigned char* const tag = &p_.tagged[static_cast<std::size_t>(s.first + from)];
+    for (std::size_t i = 0; i < edges; ++i) {
+      tags[2 * i] = tag[i];
+      tags[2 * i + 1] = 0;
+    }
+  }
+
+  // Knot intervals, edge parameters and tags after the step.
+  void inherit(const Strip& s, long from, long to) const {
+    std::size_t row = s.row_of(from);
+    for (long j = s.first + from; j < s.first + to; ++j, row += 2) {
+      const auto at = static_cast<std::size_t>(j);
+      const std::size_t next = j + 1 == n_ ? 0 : at + 1;
+      s.out->tagged[row] = p_.tagged[at];
+      s.out->tagged[row + 1] = 0;
+      s.out->d[row] = s.out->d[row + 1] = p_.d[at] * half_;
+      s.out->lambda[row] = p_.tagged[at] != 0 ? p_.lambda[at] : half_;
+      s.out->lambda[row + 1] = p_.tagged[next] != 0 ? p_.lambda[at] : half_;
+    }
+  }
+
+  // The same for any edges, by their divided differences.
+  template <class Dim>
+  void any_edges(Dim dim, const Strip& s, long from, long to) {
+    const T* const d = s.d;
+    const T* const lambda = s.lambda;
+    const T* const x = s.x;
+    const long a = s.first;
+    T* const first = scratch_.first.data();
+    T* const second = scratch_.second.data();
+    T* const third = scratch_.third.data();
     // All quotients of a row by one number.
     const auto divide = [dim](T* to_row, const T* minuend, const T* subtrahend, const T& by) {
       if (by == T(0)) {
@@ -250,25 +393,24 @@ class KnotStrip {
         for (long c = 0; c < dim; ++c) to_row[c] = (minuend[c] - subtrahend[c]) / by;
       }
     };
-    const long edge_low = p_.closed ? a : std::max(a, 0L), edge_high = p_.closed ? b : std::min(b, edges_);
-    for (long i = edge_low - a; i < edge_high - a; ++i) divide(first + i * dim, x + (i + 1) * dim, x + i * dim, d[i]);
-    const long point_low = p_.closed ? a + 1 : std::max(a + 1, 1L);
-    const long point_high = p_.closed ? b : std::min(b, edges_);
-    for (long i = point_low - a; i < point_high - a; ++i)
-      divide(second + i * dim, first + i * dim, first + (i - 1) * dim, d[i - 1] + d[i]);
-    for (long j = a + 1; j < point_low; ++j)
-      if (j >= -2) std::copy_n(left_[static_cast<std::size_t>(-j)].data(), dim_, second + (j - a) * dim);
-    for (long j = point_high; j < b; ++j)
-      if (j <= edges_ + 2)
-        std::copy_n(right_[static_cast<std::size_t>(j - edges_)].data(), dim_, second + (j - a) * dim);
-    const auto span = [&](long i) { return d[i - 1] + d[i] + d[i + 1]; };
     const bool six = rule_ == KnotRule::nuli6;
+    // The points whose D is read, those that lie inside, and the edges beside them.
+    const long low = from - (six ? 1 : 0), high = to + (six ? 2 : 1);
+    const long inner_low = p_.closed ? low : std::max(low, 1 - a),
+               inner_high = p_.closed ? high : std::min(high, edges_ - a);
+    for (long i = inner_low - 1; i < inner_high; ++i) divide(first + i * dim, x + (i + 1) * dim, x + i * dim, d[i]);
+    for (long i = inner_low; i < inner_high; ++i)
+      divide(second + i * dim, first + i * dim, first + (i - 1) * dim, d[i - 1] + d[i]);
+    for (long i = low; i < inner_low; ++i)
+      std::copy_n(left_[static_cast<std::size_t>(-(a + i))].data(), dim_, second + i * dim);
+    for (long i = std::max(low, inner_high); i < high; ++i)
+      std::copy_n(right_[static_cast<std::size_t>(a + i - edges_)].data(), dim_, second + i * dim);
+    const auto span = [&](long i) { return d[i - 1] + d[i] + d[i + 1]; };
     if (six) {
-      for (long i = reach - 1; i < b - a - reach + 1; ++i)
-        divide(third + i * dim, second + (i + 1) * dim, second + i * dim, span(i));
+      for (long i = low; i < high - 1; ++i) divide(third + i * dim, second + (i + 1) * dim, second + i * dim, span(i));
     }
-    T* fine = &out.points[row * p_.dim];
-    for (long i = reach; i < b - a - reach; ++i, fine += 2 * dim) {
+    T* fine = &s.out->points[s.row_of(from) * p_.dim];
+    for (long i = from; i < to; ++i, fine += 2 * dim) {
       const T& di = d[i];
       const T quarter = di * di / T(4);
       T w, left(0), right(0);
@@ -295,28 +437,30 @@ class KnotStrip {
         fine[dim + c] = (old[c] + old[dim + c]) * half_ - quarter * bend;
       }
     }
-    for (long j = from; j < to; ++j, row += 2) {
-      const auto at = static_cast<std::size_t>(j);
-      const std::size_t next = j + 1 == n_ ? 0 : at + 1;
-      out.tagged[row] = p_.tagged[at];
-      out.tagged[row + 1] = 0;
-      out.d[row] = out.d[row + 1] = p_.d[at] / T(2);
-      out.lambda[row] = p_.tagged[at] != 0 ? p_.lambda[at] : half_;
-      out.lambda[row + 1] = p_.tagged[next] != 0 ? p_.lambda[at] : half_;
-    }
+    inherit(s, from, to);
   }
 
   const KnotPolygon<T>& p_;
+  KnotScratch<T>& scratch_;
   KnotRule rule_;
   long n_, edges_, dim_;
-  T half_;
-  std::vector<T> d_, lambda_, x_, first_, second_, third_;
+  bool given_;
+  T half_, twenty_, uniform_;                 // the last one: 1/16 or 1/288
   std::vector<std::vector<T>> left_, right_;  // D_{-h}, D_{edges+h}
 };
 
+// strip.run, for double and float compiled in the library.
+void run_strip(KnotStrip<double>& strip, long from, long to, KnotPolygon<double>& out, std::size_t row);
+void run_strip(KnotStrip<float>& strip, long from, long to, KnotPolygon<float>& out, std::size_t row);
+template <class T>
+void run_strip(KnotStrip<T>& strip, long from, long to, KnotPolygon<T>& out, std::size_t row) {
+  strip.run(from, to, out, row);
+}
+
 // One step into `out`, whose vectors keep their room.
 template <class T>
-void refine_knots_into(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary, KnotPolygon<T>& out) {
+void refine_knots_into(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary, KnotScratch<T>& scratch,
+                       KnotPolygon<T>& out) {
   const long n = static_cast<long>(p.size());
   const long edges = static_cast<long>(p.edges());
   // With given points the edges whose stencil is not whole have no new point.
@@ -329,9 +473,9 @@ void refine_knots_into(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary
   out.d.resize(2 * made, T(0));
   out.lambda.resize(2 * made, T(0));
   out.tagged.resize(count);
-  KnotStrip<T> strip(p, rule, boundary);
+  KnotStrip<T> strip(p, rule, boundary, scratch);
   for (long e = skipped; e < edges - skipped; e += KnotStrip<T>::edges_at_once)
-    strip.run(e, std::min(edges - skipped, e + KnotStrip<T>::edges_at_once), out,
+    run_strip(strip, e, std::min(edges - skipped, e + KnotStrip<T>::edges_at_once), out,
               2 * static_cast<std::size_t>(e - skipped));
   if (!p.closed) {
     const auto last = static_cast<std::size_t>(n - skipped - 1);
@@ -346,36 +490,202 @@ void refine_knots_into(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary
 template <class T>
 KnotPolygon<T> refine_knots(const KnotPolygon<T>& p, KnotRule rule, Boundary boundary) {
   KnotPolygon<T> out;
-  detail::refine_knots_into(p, rule, boundary, out);
+  detail::KnotScratch<T> scratch;
+  detail::refine_knots_into(p, rule, boundary, scratch, out);
   return out;
 }
 
-/// Several steps, over polygons that are kept from call to call.
+/// Points that Boundary::given takes beyond each end.
+constexpr long points_beyond_ends(KnotRule rule) { return 2 * half_width(rule) - 2; }
+
+/// Several steps, over polygons that are kept from call to call: a call like the one before allocates nothing. A large
+/// result is made piece by piece, each through its last levels in the caches, by several threads for double and float.
+/// Its bits depend neither on the pieces nor on the threads. Not for use by several threads at once.
 template <class T>
 class KnotRefiner {
  public:
+  /// At most so many threads, and no more than there are cores; 0 (the default): that many.
+  void set_threads(int threads) {
+    if (threads < 0) detail::fail_knots("threads: " + std::to_string(threads) + " is negative");
+    threads_ = threads;
+    workers_.reset();
+  }
+
   /// `levels` steps; the result is valid until the next call. With Boundary::given, points_beyond_ends() remain beyond
   /// each end. Throws as validate.
   const KnotPolygon<T>& refine(const KnotPolygon<T>& p, KnotRule rule, int levels, Boundary boundary) {
     validate(p, rule, boundary);
-    const std::size_t steps = static_cast<std::size_t>(std::max(0, levels));
-    if (kept_.size() < std::max<std::size_t>(1, steps)) kept_.resize(std::max<std::size_t>(1, steps));
+    const int steps = std::max(0, levels);
+    int single = steps;  // levels one after the other; the others piece by piece
+    if (p.edges() > piece_points >> std::min(steps, 24)) single = std::max(0, steps - most_together);
+    if (kept_.size() < static_cast<std::size_t>(single) + 1) kept_.resize(static_cast<std::size_t>(single) + 1);
     if (steps == 0) return kept_[0] = p;
-    for (std::size_t k = 0; k < steps; ++k)
-      detail::refine_knots_into(k == 0 ? p : kept_[k - 1], rule, boundary, kept_[k]);
-    return kept_[steps - 1];
+    const KnotPolygon<T>* now = &p;
+    for (int k = 0; k < single; ++k) {
+      KnotPolygon<T>& next = kept_[static_cast<std::size_t>(k)];
+      detail::refine_knots_into(*now, rule, boundary, pieces_[0].scratch, next);
+      now = &next;
+    }
+    if (single == steps) return *now;
+    KnotPolygon<T>& out = kept_[static_cast<std::size_t>(single)];
+    by_pieces(*now, rule, steps - single, boundary, out);
+    return out;
   }
 
  private:
-  std::vector<KnotPolygon<T>> kept_;
+  static constexpr std::size_t piece_points = 4096;
+  static constexpr int most_together = 8;
+
+  // A part of a polygon on its way through the levels: open polygons, with more points at their ends than they should
+  // have. One for each level: pieces are of the same sizes, and nothing is filled twice.
+  struct Piece {
+    std::vector<KnotPolygon<T>> level;
+    KnotPolygon<T> rows;  // of the last step, on their way past the caches
+    detail::KnotScratch<T> scratch;
+  };
+
+  // What all pieces share. Piece i: the edges first + i*edges .. of `p`, `edges` or what is left before `last`.
+  struct Cut {
+    const KnotPolygon<T>* p = nullptr;
+    KnotRule rule{};
+    int levels = 0;
+    Boundary boundary{};
+    long first = 0, last = 0, edges = 0, pieces = 0;
+    bool stream = false;
+    KnotPolygon<T>* out = nullptr;
+    std::vector<Piece>* scratch = nullptr;
+
+    static void call(void* context, std::size_t worker, std::size_t i) {
+      const Cut& cut = *static_cast<const Cut*>(context);
+      cut.run((*cut.scratch)[worker], static_cast<long>(i));
+    }
+
+    void run(Piece& piece, long i) const {
+      const long beyond = points_beyond_ends(rule);
+      const long a = first + i * edges, b = std::min(last, a + edges);
+      // Cut ends are `given` ends in a polygon that is closed or has them; else the boundary is at work at both ends of
+      // the piece, and changes points only that are dropped.
+      const Boundary ends = boundary == Boundary::closed ? Boundary::given : boundary;
+      const bool given = ends == Boundary::given;
+      const long low = given ? a - beyond : std::max(first, a - beyond);
+      const long high = given ? b + beyond : std::min(last, b + beyond);
+      const auto steps = static_cast<std::size_t>(levels);
+      if (piece.level.size() < steps) piece.level.resize(steps);
+      take_edges(low, high, piece.level[0]);
+      for (std::size_t k = 0; k + 1 < steps; ++k)
+        detail::refine_knots_into(piece.level[k], rule, ends, piece.scratch, piece.level[k + 1]);
+      // Of the rows of the last step: those from the point a on, to the one before the point b.
+      const long scale = long{1} << levels;
+      const bool opens = !p->closed && a == first, closes = !p->closed && b == last;
+      long skip = given ? beyond : (a - low) * scale;
+      long count = (b - a) * scale, row = (a - first) * scale;
+      if (given && !p->closed) {  // points beyond the ends are part of the result
+        row += opens ? 0 : beyond;
+        count += (opens ? beyond : 0) + (closes ? beyond : 0);
+        skip -= opens ? beyond : 0;
+      }
+      const KnotPolygon<T>& q = piece.level[steps - 1];
+      const long edge = (given ? half_width(rule) - 1 : 0) + skip / 2;
+      last_step(q, ends, edge, edge + count / 2, piece, static_cast<std::size_t>(row));
+      if (closes) {
+        const auto from = static_cast<std::size_t>(edge + count / 2), to = static_cast<std::size_t>(row + count);
+        std::copy_n(&q.points[from * p->dim], p->dim, &out->points[to * p->dim]);
+        out->tagged[to] = q.tagged[from];
+      }
+    }
+
+    // The edges from..to-1 of a piece, into the rows row.. of the result.
+    void last_step(const KnotPolygon<T>& q, Boundary ends, long from, long to, Piece& piece, std::size_t row) const {
+      detail::KnotStrip<T> strip(q, rule, ends, piece.scratch);
+      constexpr long most = detail::KnotStrip<T>::edges_at_once;
+      for (long e = from; e < to; e += most) {
+        const long end = std::min(to, e + most);
+        const auto rows = 2 * static_cast<std::size_t>(end - e);
+        if constexpr (detail::is_vectorised<T>) {
+          if (stream) {
+            KnotPolygon<T>& r = piece.rows;
+            r.points.resize(2 * most * p->dim);
+            r.d.resize(2 * most);
+            r.lambda.resize(2 * most);
+            r.tagged.resize(2 * most);
+            detail::run_strip(strip, e, end, r, 0);
+            const auto past = [&](const auto& numbers, std::size_t width, auto& target) {
+              detail::stream_copy(numbers.data(), rows * width * sizeof(numbers[0]), target.data() + row * width);
+            };
+            past(r.points, p->dim, out->points);
+            past(r.d, 1, out->d);
+            past(r.lambda, 1, out->lambda);
+            past(r.tagged, 1, out->tagged);
+          }
+        }
+        if (!stream) detail::run_strip(strip, e, end, *out, row);
+        row += rows;
+      }
+      if constexpr (detail::is_vectorised<T>)
+        if (stream) detail::drain();
+    }
+
+    // The edges low..high-1 as an open polygon.
+    void take_edges(long low, long high, KnotPolygon<T>& to) const {
+      const long n = static_cast<long>(p->size());
+      const auto rows = static_cast<std::size_t>(high - low);
+      to.dim = p->dim;
+      to.closed = false;
+      to.points.resize((rows + 1) * p->dim, T(0));
+      to.d.resize(rows, T(0));
+      to.lambda.resize(rows, T(0));
+      to.tagged.resize(rows + 1);
+      for (std::size_t i = 0; i <= rows; ++i) {
+        const long j = low + static_cast<long>(i);
+        const auto from = static_cast<std::size_t>(p->closed ? j - n * floor_div(j, n) : j);
+        std::copy_n(&p->points[from * p->dim], p->dim, &to.points[i * p->dim]);
+        to.tagged[i] = p->tagged[from];
+        if (i == rows) break;
+        to.d[i] = p->d[from];
+        to.lambda[i] = p->lambda[from];
+      }
+    }
+  };
+
+  void by_pieces(const KnotPolygon<T>& p, KnotRule rule, int levels, Boundary boundary, KnotPolygon<T>& out) {
+    Cut cut{&p, rule, levels, boundary, 0, static_cast<long>(p.edges()), 0, 0, false, &out, &pieces_};
+    const long beyond = boundary == Boundary::given ? points_beyond_ends(rule) : 0;
+    cut.first += beyond;
+    cut.last -= beyond;
+    cut.edges = std::max(1L, static_cast<long>(piece_points) >> levels);
+    cut.pieces = ceil_div(cut.last - cut.first, cut.edges);
+    const auto made = static_cast<std::size_t>(((cut.last - cut.first) << levels) + 2 * beyond);
+    const std::size_t points = made + (p.closed ? 0 : 1);
+    out.dim = p.dim;
+    out.closed = p.closed;
+    out.points.resize(points * p.dim, T(0));
+    out.d.resize(made, T(0));
+    out.lambda.resize(made, T(0));
+    out.tagged.resize(points);
+    const auto count = static_cast<std::size_t>(cut.pieces);
+    if constexpr (detail::is_vectorised<T>) {
+      cut.stream = points * (p.dim * sizeof(T) + 2 * sizeof(T) + 1) > detail::streamed_from();
+      constexpr std::size_t grain = 8;
+      if (threads_ != 1 && count >= 2 * grain) {
+        if (!workers_) workers_ = std::make_shared<detail::Workers>(threads_);
+        if (pieces_.size() < workers_->count()) pieces_.resize(workers_->count());
+        workers_->run(count, grain, &cut, &Cut::call);
+        return;
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) Cut::call(&cut, 0, i);
+  }
+
+  std::vector<KnotPolygon<T>> kept_;  // by level, the last one the result
+  std::vector<Piece> pieces_{1};      // one for each worker
+  int threads_ = 0;
+  std::shared_ptr<detail::Workers> workers_;
 };
 
 /// `levels` steps. With Boundary::given, points_beyond_ends() remain beyond each end.
 template <class T>
-KnotPolygon<T> refine_knots(KnotPolygon<T> p, KnotRule rule, int levels, Boundary boundary) {
-  validate(p, rule, boundary);
-  for (int k = 0; k < levels; ++k) p = refine_knots(p, rule, boundary);
-  return p;
+KnotPolygon<T> refine_knots(const KnotPolygon<T>& p, KnotRule rule, int levels, Boundary boundary) {
+  return KnotRefiner<T>().refine(p, rule, levels, boundary);
 }
 
 /// The part of an open polygon between the points given beyond its ends.
@@ -392,9 +702,6 @@ KnotPolygon<T> cropped(KnotPolygon<T> p, long left, long right) {
   cut(p.tagged, left, right);
   return p;
 }
-
-/// Points that Boundary::given takes beyond each end.
-constexpr long points_beyond_ends(KnotRule rule) { return 2 * half_width(rule) - 2; }
 
 struct KnotOptions {
   int levels = 1;
