@@ -123,6 +123,11 @@ class Lowering {
       place_.push_back(static_cast<size_t>(same - entries_.begin()));
       if (same == entries_.end()) add_entry(c, numerator_over(c, d), true);
     }
+    last_place_.assign(place_.size(), false);
+    for (size_t i = 0; i < entries_.size(); ++i)
+      if (entries_[i].form)
+        last_place_[place_.size() - 1 -
+                    static_cast<size_t>(std::find(place_.rbegin(), place_.rend(), i) - place_.rbegin())] = true;
     if (options_.extension) {
       if (!scheme_.space) bad_input("the scheme has no function space that could extend an open polygon", scheme_.id);
       for (const Polynomial& w : extension_weights(*scheme_.space, scheme_.arity)) {
@@ -462,14 +467,18 @@ class Lowering {
     return cells;
   }
 
-  kernels::MaskRow row(const std::vector<Cell>& cells) {
+  // The row of one level. Texts that the next level makes anew are taken out of their cells at their last place.
+  kernels::MaskRow row(std::vector<Cell>& cells) {
     kernels::MaskRow r;
     r.lowest = lowest_;
     r.text.reserve(place_.size());
     r.value.reserve(place_.size());
-    for (const size_t i : place_) {
-      const Cell& c = cells[i];
-      r.text.push_back(c.text);
+    for (size_t s = 0; s < place_.size(); ++s) {
+      Cell& c = cells[place_[s]];
+      if (last_place_[s])
+        r.text.push_back(std::move(c.text));
+      else
+        r.text.push_back(c.text);
       r.value.push_back(c.value);
       if (!c.exact) worst_ = std::max(worst_, c.last);
     }
@@ -706,10 +715,11 @@ class Lowering {
   long lowest_ = 0;
   Rational content_;
   std::vector<Factor> factors_;
-  Polynomial denominator_;      // content * D, expanded
-  std::optional<Form> whole_;   // the same, where its degree is small
-  std::vector<Entry> entries_;  // distinct coefficients, then extension weights
-  std::vector<size_t> place_;   // entry of each mask coefficient
+  Polynomial denominator_;        // content * D, expanded
+  std::optional<Form> whole_;     // the same, where its degree is small
+  std::vector<Entry> entries_;    // distinct coefficients, then extension weights
+  std::vector<size_t> place_;     // entry of each mask coefficient
+  std::vector<bool> last_place_;  // of an entry that changes with the level
   std::vector<size_t> extension_;
   std::vector<long> degrees_;  // by variable, over all forms
   long valuation_ = 0;
