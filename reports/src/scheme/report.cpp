@@ -108,6 +108,9 @@ SchemeReportSummary write_scheme_report(const Scheme& scheme, const std::string&
     add("masks", "Masks", scheme_page::masks(s));
     tell("pictures");
     add("pictures", "Pictures", scheme_page::pictures(s));
+  } else {
+    tell("pictures");
+    add("pictures", "Pictures", scheme_page::pictures_on_knots(s));
   }
 
   page.title = scheme.title;

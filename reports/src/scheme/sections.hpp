@@ -42,4 +42,6 @@ Part smoothness_on_vertices(const Subject& s);
 Part spectrum_on_vertices(const Subject& s);
 Part pictures_on_vertices(const Subject& s);  // empty for rules that no kernel refines by
 
+Part pictures_on_knots(const Subject& s);  // empty for rules that no kernel refines by
+
 }  // namespace twoscale::reports::scheme_page
