@@ -174,4 +174,19 @@ std::vector<Line> curvature_comb(std::span<const double> q, bool closed) {
   return {teeth, tips};
 }
 
+Line curve_line(std::vector<double> plane_points, bool closed, std::string title, int colour) {
+  Line l;
+  l.values = std::move(plane_points);
+  l.closed = closed;
+  l.title = std::move(title);
+  l.colour = colour;
+  return l;
+}
+
+Line polygon_line(std::vector<double> plane_points, bool closed, std::string title) {
+  Line l = curve_line(std::move(plane_points), closed, std::move(title), 0);
+  l.style = Line::Style::polygon;
+  return l;
+}
+
 }  // namespace twoscale::reports

@@ -97,9 +97,8 @@ PointSet refine_on_knots(const PointSet& points, KnotRule rule, const KnotOption
   }
   if (!given) p.d = knot_intervals(p.points, p.dim, p.closed, options.parametrization);
   p.tagged = tags_of(points, columns, p);
-  validate(p, rule, options.boundary);
-
   if (options.reparametrize) {
+    validate(p, rule, options.boundary);
     for (int k = 0; k < options.levels; ++k) {
       if (k > 0) p.d = knot_intervals(p.points, p.dim, p.closed, options.parametrization);
       p = refine_knots(p, rule, options.boundary);

@@ -123,11 +123,11 @@ class Lowering {
       place_.push_back(static_cast<size_t>(same - entries_.begin()));
       if (same == entries_.end()) add_entry(c, numerator_over(c, d), true);
     }
+    std::vector<size_t> last(entries_.size());
+    for (size_t s = 0; s < place_.size(); ++s) last[place_[s]] = s;
     last_place_.assign(place_.size(), false);
     for (size_t i = 0; i < entries_.size(); ++i)
-      if (entries_[i].form)
-        last_place_[place_.size() - 1 -
-                    static_cast<size_t>(std::find(place_.rbegin(), place_.rend(), i) - place_.rbegin())] = true;
+      if (entries_[i].form) last_place_[last[i]] = true;
     if (options_.extension) {
       if (!scheme_.space) bad_input("the scheme has no function space that could extend an open polygon", scheme_.id);
       for (const Polynomial& w : extension_weights(*scheme_.space, scheme_.arity)) {

@@ -68,23 +68,8 @@ const Polygon bean{"bean", true, {0, 0, 3, -0.6, 5.6, 0.4, 5.2, 2.4, 3.9, 2.2, 2
 const Polygon flat{"nearly-collinear", true, {0, 0, 2, 0.001, 4, 0, 6, 0.3, 6, 3, 3, 3.002, 0, 3}};
 const Polygon loop{"loop", false, {0, 0, 3, 0.2, 4, 2, 2.6, 3, 1.6, 1.9, 2.6, 0.4, 5.6, 0}};
 
-Line line_of(std::vector<double> values, bool closed, std::string title, int colour) {
-  Line l;
-  l.values = std::move(values);
-  l.closed = closed;
-  l.title = std::move(title);
-  l.colour = colour;
-  return l;
-}
-
-Line polygon_line(const std::vector<double>& values, bool closed, const char* title = "polygon") {
-  Line l = line_of(values, closed, title, 0);
-  l.style = Line::Style::polygon;
-  return l;
-}
-
 Line dots(std::vector<double> values, const char* title, int colour) {
-  Line l = line_of(std::move(values), false, title, colour);
+  Line l = curve_line(std::move(values), false, title, colour);
   l.style = Line::Style::points;
   return l;
 }
@@ -133,7 +118,7 @@ class Figures {
     if (polygon.values.size() < 14) first.lines.push_back(dots(refined(scheme, polygon, 2), "step 2", 2));
     std::reverse(first.lines.begin() + 1, first.lines.end());
     last.lines = {polygon_line(polygon.values, polygon.closed),
-                  line_of(refined(scheme, polygon, limit_levels), polygon.closed, "step 10", 0)};
+                  curve_line(refined(scheme, polygon, limit_levels), polygon.closed, "step 10", 0)};
     return panel(id + "-steps", caption + ", first steps", first) + panel(id, caption, last, commands);
   }
 
@@ -224,8 +209,8 @@ std::string tension_figures(Figures& f) {
     last = da;
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", t.w, number_text(da), number_text(db));
     f.part().numbers.push_back(nlohmann::ordered_json{{"w", t.w}, {"distance_printed", da}, {"distance_c2", db}});
-    printed.lines.push_back(line_of(a, true, std::string("w = ") + t.w, colour));
-    other.lines.push_back(line_of(b, true, std::string("w = ") + t.w, colour++));
+    printed.lines.push_back(curve_line(a, true, std::string("w = ") + t.w, colour));
+    other.lines.push_back(curve_line(b, true, std::string("w = ") + t.w, colour++));
   }
   f.part().findings.push_back(std::string("Figure 9: on our polygon larger w ") +
                               (ordered ? "gives" : "does not always give") +
@@ -272,7 +257,7 @@ std::string curvature_figures(Figures& f) {
     Picture p;
     p.lines = curvature_comb(points, true);
     p.lines.push_back(polygon_line(bean.values, true));
-    p.lines.push_back(line_of(points, true, "step 10", 0));
+    p.lines.push_back(curve_line(points, true, "step 10", 0));
     panels += f.panel(id, what, p);
   }
   return panels;

@@ -52,15 +52,6 @@ double area(const std::vector<double>& p) {
   return std::abs(sum) / 2;
 }
 
-Line polygon_line(const std::vector<double>& polygon) {
-  Line l;
-  l.values = polygon;
-  l.style = Line::Style::polygon;
-  l.closed = true;
-  l.title = "polygon";
-  return l;
-}
-
 struct Measures {
   double area, distance, turning;
 };
@@ -85,7 +76,7 @@ std::string panel(const std::string& id, const std::string& title, const std::ve
   Picture p;
   std::string rows;
   int colour = 0;
-  if (!region) p.lines.push_back(polygon_line(polygon));
+  if (!region) p.lines.push_back(polygon_line(polygon, true));
   for (const Run& run : runs) {
     std::vector<double> curve = refined(run, polygon);
     const Measures m = measured(curve, polygon);
@@ -109,10 +100,8 @@ std::string panel(const std::string& id, const std::string& title, const std::ve
     p.lines.push_back(std::move(l));
   }
   if (region) {
-    Line l =
-        polygon_line(std::vector<double>(polygon.begin() + 2 * region_first, polygon.begin() + 2 * region_last + 2));
-    l.closed = false;
-    p.lines.insert(p.lines.begin(), l);
+    const std::vector<double> shown(polygon.begin() + 2 * region_first, polygon.begin() + 2 * region_last + 2);
+    p.lines.insert(p.lines.begin(), polygon_line(shown, false));
   }
   p.height = 430;
   return figure(

@@ -25,24 +25,10 @@ int levels_for(int arity, double points) {
   return k;
 }
 
-Line polygon_line() {
-  Line l;
-  l.values = sample_polygon();
-  l.style = Line::Style::polygon;
-  l.closed = true;
-  l.title = "polygon";
-  return l;
-}
-
-Line curve_line(const Subject& s, const lowering::Binding& binding, const std::string& title, int colour) {
-  Line l;
-  l.values =
-      refine_points(s.scheme, binding, sample_polygon(), 2, levels_for(s.scheme.arity, 48), kernels::Boundary::closed)
-          .values;
-  l.closed = true;
-  l.title = title;
-  l.colour = colour;
-  return l;
+Line limit_line(const Subject& s, const lowering::Binding& binding, const std::string& title, int colour) {
+  const int levels = levels_for(s.scheme.arity, 48);
+  return curve_line(refine_points(s.scheme, binding, sample_polygon(), 2, levels, kernels::Boundary::closed).values,
+                    true, title, colour);
 }
 
 // The difference quotient of a function given by points at equal distances, at the middles between them.
@@ -158,14 +144,14 @@ Part pictures(const Subject& s) {
   points.values = sample_polygon();
   part.files.emplace_back("data/polygon.csv", kernels::to_csv(points));
   Picture curve;
-  curve.lines = {polygon_line(), curve_line(s, s.binding, "limit curve", 0)};
+  curve.lines = {polygon_line(sample_polygon(), true), limit_line(s, s.binding, "limit curve", 0)};
   part.html += picture_html(part, "curve", "A closed curve", curve,
                             "twoscale plot curve " + s.name + s.values + " data/polygon.csv -o curve.svg");
   part.numbers = {{"continuity_drawn", continuity}};
   if (const auto sweep = sweep_of(s.scheme)) {
     Picture basics = graph({});
     Picture curves;
-    curves.lines.push_back(polygon_line());
+    curves.lines.push_back(polygon_line(sample_polygon(), true));
     int colour = 0;
     nlohmann::ordered_json drawn = nlohmann::ordered_json::array();
     for (const auto& value : sweep->values) {
@@ -176,7 +162,7 @@ Part pictures(const Subject& s) {
       l.title = sweep->name + " = " + value;
       l.colour = colour;
       basics.lines.push_back(std::move(l));
-      curves.lines.push_back(curve_line(s, *binding, sweep->name + " = " + value, colour++));
+      curves.lines.push_back(limit_line(s, *binding, sweep->name + " = " + value, colour++));
       drawn.push_back(value);
     }
     if (!basics.lines.empty()) {

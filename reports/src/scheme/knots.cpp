@@ -43,15 +43,6 @@ std::vector<double> limit(const kernels::PointSet& points, kernels::KnotRule rul
   return plane;
 }
 
-Line closed_line(std::vector<double> points, std::string title, int colour) {
-  Line l;
-  l.values = std::move(points);
-  l.closed = true;
-  l.title = std::move(title);
-  l.colour = colour;
-  return l;
-}
-
 }  // namespace
 
 Part pictures_on_knots(const Subject& s) {
@@ -59,8 +50,7 @@ Part pictures_on_knots(const Subject& s) {
   const auto rule = kernels::find_knot_rule(s.scheme.kernel);
   if (!rule) return part;
   const kernels::PointSet points = sample_points({});
-  Line polygon = closed_line(points.values, "polygon", 0);
-  polygon.style = Line::Style::polygon;
+  const Line polygon = polygon_line(points.values, true);
   part.files.emplace_back("data/polygon.csv", kernels::to_csv(points));
   part.html = "<div class=\"panels\">\n";
   const auto add = [&](const char* name, const char* title, std::vector<Line> lines,
@@ -74,10 +64,10 @@ Part pictures_on_knots(const Subject& s) {
   };
 
   const std::vector<double> curve = limit(points, *rule, Parametrization::centripetal);
-  add("curve", "A closed curve, centripetal knots", {polygon, closed_line(curve, "limit curve", 0)},
+  add("curve", "A closed curve, centripetal knots", {polygon, curve_line(curve, true, "limit curve", 0)},
       {command("curve", "", "polygon", "curve")});
   std::vector<Line> comb = curvature_comb(curve, true);
-  comb.push_back(closed_line(curve, "limit curve", 0));
+  comb.push_back(curve_line(curve, true, "limit curve", 0));
   add("comb", "Its curvature", std::move(comb), {command("comb", "", "polygon", "comb")});
 
   std::vector<Line> choices = {polygon};
@@ -85,7 +75,7 @@ Part pictures_on_knots(const Subject& s) {
   for (const auto& [kind, name] :
        {std::pair(Parametrization::uniform, "uniform"), std::pair(Parametrization::centripetal, "centripetal"),
         std::pair(Parametrization::chordal, "chordal")}) {
-    choices.push_back(closed_line(limit(points, *rule, kind), name, static_cast<int>(commands.size())));
+    choices.push_back(curve_line(limit(points, *rule, kind), true, name, static_cast<int>(commands.size())));
     commands.push_back(command("curve", std::string(" --parametrization ") + name, "polygon", name));
   }
   add("knots", "Knots from the points", std::move(choices), std::move(commands));
@@ -101,9 +91,9 @@ Part pictures_on_knots(const Subject& s) {
     part.files.emplace_back("data/crease.csv", kernels::to_csv(creased));
     part.files.emplace_back("data/one-edge.csv", kernels::to_csv(pulled));
     add("lambda", "Edge parameters before and after the fifth vertex",
-        {polygon, closed_line(curve, "1/2, 1/2", 0),
-         closed_line(limit(pulled, *rule, Parametrization::centripetal), "1, 1/2", 1),
-         closed_line(limit(creased, *rule, Parametrization::centripetal), "1, 0: a crease", 2)},
+        {polygon, curve_line(curve, true, "1/2, 1/2", 0),
+         curve_line(limit(pulled, *rule, Parametrization::centripetal), true, "1, 1/2", 1),
+         curve_line(limit(creased, *rule, Parametrization::centripetal), true, "1, 0: a crease", 2)},
         {command("curve", "", "one-edge", "one-edge"), command("curve", "", "crease", "crease")});
   }
   part.html += "</div>\n";

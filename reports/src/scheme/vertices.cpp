@@ -77,15 +77,6 @@ std::string row_of_table(const std::string& head, const std::string& cell) {
   return "<tr><th>" + head + "</th><td>" + cell + "</td></tr>\n";
 }
 
-Line line_of(std::vector<double> values, const std::string& title, int colour) {
-  Line l;
-  l.values = std::move(values);
-  l.closed = true;
-  l.title = title;
-  l.colour = colour;
-  return l;
-}
-
 }  // namespace
 
 Part definition_on_vertices(const Subject& s) {
@@ -193,8 +184,7 @@ Part pictures_on_vertices(const Subject& s) {
       return std::nullopt;
     }
   };
-  Line polygon = line_of(points.values, "polygon", 0);
-  polygon.style = Line::Style::polygon;
+  const Line polygon = polygon_line(points.values, true);
   part.files.emplace_back("data/polygon.csv", kernels::to_csv(points));
   part.html = "<div class=\"panels\">\n";
   const auto add = [&](const char* name, const char* title, std::vector<Line> lines, const std::string& line) {
@@ -203,10 +193,10 @@ Part pictures_on_vertices(const Subject& s) {
     part.html += figure(part, {name, title, "", {line}, false}, picture);
   };
   if (const auto curve = refined(std::nullopt)) {
-    add("curve", "A closed curve", {polygon, line_of(*curve, "limit curve", 0)},
+    add("curve", "A closed curve", {polygon, curve_line(*curve, true, "limit curve", 0)},
         "twoscale plot curve " + s.name + " data/polygon.csv -o curve.svg");
     std::vector<Line> comb = curvature_comb(*curve, true);
-    comb.push_back(line_of(*curve, "limit curve", 0));
+    comb.push_back(curve_line(*curve, true, "limit curve", 0));
     add("comb", "Its curvature", std::move(comb), "twoscale plot comb " + s.name + " data/polygon.csv -o comb.svg");
   } else {
     part.html += "<p>Its tension is beyond the first pole of the sample points.</p>\n";
@@ -216,7 +206,7 @@ Part pictures_on_vertices(const Subject& s) {
   for (const char* w : {"1/2", "1", "3/2"})
     if (auto curve = refined(parse_real(w))) {
       values += (values.empty() ? "" : ",") + std::string(w);
-      sweep.push_back(line_of(*std::move(curve), "w = " + std::string(w), static_cast<int>(sweep.size()) - 1));
+      sweep.push_back(curve_line(*std::move(curve), true, "w = " + std::string(w), static_cast<int>(sweep.size()) - 1));
     }
   add("sweep", "Curves along w", std::move(sweep),
       "twoscale plot sweep " + s.name + " --values " + values + " data/polygon.csv -o sweep.svg");

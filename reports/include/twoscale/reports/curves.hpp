@@ -46,6 +46,10 @@ double distance_to_polygon(const Refined& points, std::span<const double> polygo
 // Sum of the absolute turning angles of a plane polygon, in full turns; a convex closed curve has 1.
 double total_turning(std::span<const double> plane_points, bool closed);
 
+// A curve in the plane as a line of a picture; and a polygon.
+Line curve_line(std::vector<double> plane_points, bool closed, std::string title, int colour);
+Line polygon_line(std::vector<double> plane_points, bool closed, std::string title = "polygon");
+
 // Signed curvature 1/R of the circle through points j-1, j, j+1 of a plane curve, positive for a left turn; NaN at the
 // ends of an open curve and where points coincide.
 std::vector<double> curvature(std::span<const double> plane_points, bool closed);

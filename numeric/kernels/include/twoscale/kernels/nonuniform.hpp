@@ -18,9 +18,9 @@
 // for lambda in [0, 1].
 //
 // Where the intervals that a rule reads are equal and the edge parameters 1/2 -- everywhere but beside the vertices of
-// the data, after a few steps -- it is that of the uniform knots, and needs no quotient:
-//   4 points    (p_j + p_{j+1})/2 + (a - b)/16,              a = p_j + p_{j+1}, b = p_{j-1} + p_{j+2}, c = p_{j-2} +
-//   p_{j+3} nuli6       (p_j + p_{j+1})/2 + (20 (a - b) - (b - c))/288
+// the data, after a few steps -- it is that of the uniform knots, and needs no quotient. With a = p_j + p_{j+1},
+// b = p_{j-1} + p_{j+2}, c = p_{j-2} + p_{j+3} the new point is a/2 + (a - b)/16 for the rules of 4 points and
+// a/2 + (20 (a - b) - (b - c))/288 for nuli6.
 //
 // Intervals of length 0 are allowed between coinciding points: V_j = 0, the limit of the centripetal parametrisation,
 // and a divided difference over an interval of length 0 is 0. D_j over three
@@ -515,26 +515,28 @@ class KnotRefiner {
   /// each end. Throws as validate.
   const KnotPolygon<T>& refine(const KnotPolygon<T>& p, KnotRule rule, int levels, Boundary boundary) {
     validate(p, rule, boundary);
-    const int steps = std::max(0, levels);
-    int single = steps;  // levels one after the other; the others piece by piece
-    if (p.edges() > piece_points >> std::min(steps, 24)) single = std::max(0, steps - most_together);
-    if (kept_.size() < static_cast<std::size_t>(single) + 1) kept_.resize(static_cast<std::size_t>(single) + 1);
-    if (steps == 0) return kept_[0] = p;
+    const auto steps = static_cast<std::size_t>(std::max(0, levels));
+    if (steps == 0) return result_ = p;
+    // Levels one after the other; the others piece by piece.
+    const bool large = p.edges() > piece_points >> std::min<std::size_t>(steps, 24);
+    const std::size_t single = large ? steps - std::min(steps, most_together) : steps;
+    if (kept_.size() < single) kept_.resize(single);
     const KnotPolygon<T>* now = &p;
-    for (int k = 0; k < single; ++k) {
-      KnotPolygon<T>& next = kept_[static_cast<std::size_t>(k)];
+    for (std::size_t k = 0; k < single; ++k) {
+      KnotPolygon<T>& next = k + 1 == steps ? result_ : kept_[k];
       detail::refine_knots_into(*now, rule, boundary, pieces_[0].scratch, next);
       now = &next;
     }
-    if (single == steps) return *now;
-    KnotPolygon<T>& out = kept_[static_cast<std::size_t>(single)];
-    by_pieces(*now, rule, steps - single, boundary, out);
-    return out;
+    if (single < steps) by_pieces(*now, rule, steps - single, boundary);
+    return result_;
   }
+
+  /// The last result, taken out.
+  KnotPolygon<T> take() && { return std::move(result_); }
 
  private:
   static constexpr std::size_t piece_points = 4096;
-  static constexpr int most_together = 8;
+  static constexpr std::size_t most_together = 8;
 
   // A part of a polygon on its way through the levels: open polygons, with more points at their ends than they should
   // have. One for each level: pieces are of the same sizes, and nothing is filled twice.
@@ -548,10 +550,10 @@ class KnotRefiner {
   struct Cut {
     const KnotPolygon<T>* p = nullptr;
     KnotRule rule{};
-    int levels = 0;
+    std::size_t levels = 0;  // at least 1
     Boundary boundary{};
-    long first = 0, last = 0, edges = 0, pieces = 0;
-    bool stream = false;
+    long first = 0, last = 0, edges = 0;
+    bool stream = false;  // numbers that are bytes only
     KnotPolygon<T>* out = nullptr;
     std::vector<Piece>* scratch = nullptr;
 
@@ -569,10 +571,9 @@ class KnotRefiner {
       const bool given = ends == Boundary::given;
       const long low = given ? a - beyond : std::max(first, a - beyond);
       const long high = given ? b + beyond : std::min(last, b + beyond);
-      const auto steps = static_cast<std::size_t>(levels);
-      if (piece.level.size() < steps) piece.level.resize(steps);
+      if (piece.level.size() < levels) piece.level.resize(levels);
       take_edges(low, high, piece.level[0]);
-      for (std::size_t k = 0; k + 1 < steps; ++k)
+      for (std::size_t k = 0; k + 1 < levels; ++k)
         detail::refine_knots_into(piece.level[k], rule, ends, piece.scratch, piece.level[k + 1]);
       // Of the rows of the last step: those from the point a on, to the one before the point b.
       const long scale = long{1} << levels;
@@ -584,7 +585,7 @@ class KnotRefiner {
         count += (opens ? beyond : 0) + (closes ? beyond : 0);
         skip -= opens ? beyond : 0;
       }
-      const KnotPolygon<T>& q = piece.level[steps - 1];
+      const KnotPolygon<T>& q = piece.level[levels - 1];
       const long edge = (given ? half_width(rule) - 1 : 0) + skip / 2;
       last_step(q, ends, edge, edge + count / 2, piece, static_cast<std::size_t>(row));
       if (closes) {
@@ -601,28 +602,26 @@ class KnotRefiner {
       for (long e = from; e < to; e += most) {
         const long end = std::min(to, e + most);
         const auto rows = 2 * static_cast<std::size_t>(end - e);
-        if constexpr (detail::is_vectorised<T>) {
-          if (stream) {
-            KnotPolygon<T>& r = piece.rows;
-            r.points.resize(2 * most * p->dim);
-            r.d.resize(2 * most);
-            r.lambda.resize(2 * most);
-            r.tagged.resize(2 * most);
-            detail::run_strip(strip, e, end, r, 0);
-            const auto past = [&](const auto& numbers, std::size_t width, auto& target) {
-              detail::stream_copy(numbers.data(), rows * width * sizeof(numbers[0]), target.data() + row * width);
-            };
-            past(r.points, p->dim, out->points);
-            past(r.d, 1, out->d);
-            past(r.lambda, 1, out->lambda);
-            past(r.tagged, 1, out->tagged);
-          }
+        if (!stream) {
+          detail::run_strip(strip, e, end, *out, row);
+        } else {
+          KnotPolygon<T>& r = piece.rows;
+          r.points.resize(2 * most * p->dim, T(0));
+          r.d.resize(2 * most, T(0));
+          r.lambda.resize(2 * most, T(0));
+          r.tagged.resize(2 * most);
+          detail::run_strip(strip, e, end, r, 0);
+          const auto past = [&](const auto& numbers, std::size_t width, auto& target) {
+            detail::stream_copy(numbers.data(), rows * width * sizeof(numbers[0]), target.data() + row * width);
+          };
+          past(r.points, p->dim, out->points);
+          past(r.d, 1, out->d);
+          past(r.lambda, 1, out->lambda);
+          past(r.tagged, 1, out->tagged);
         }
-        if (!stream) detail::run_strip(strip, e, end, *out, row);
         row += rows;
       }
-      if constexpr (detail::is_vectorised<T>)
-        if (stream) detail::drain();
+      if (stream) detail::drain();
     }
 
     // The edges low..high-1 as an open polygon.
@@ -647,13 +646,11 @@ class KnotRefiner {
     }
   };
 
-  void by_pieces(const KnotPolygon<T>& p, KnotRule rule, int levels, Boundary boundary, KnotPolygon<T>& out) {
-    Cut cut{&p, rule, levels, boundary, 0, static_cast<long>(p.edges()), 0, 0, false, &out, &pieces_};
+  void by_pieces(const KnotPolygon<T>& p, KnotRule rule, std::size_t levels, Boundary boundary) {
+    KnotPolygon<T>& out = result_;
     const long beyond = boundary == Boundary::given ? points_beyond_ends(rule) : 0;
-    cut.first += beyond;
-    cut.last -= beyond;
+    Cut cut{&p, rule, levels, boundary, beyond, static_cast<long>(p.edges()) - beyond, 0, false, &out, &pieces_};
     cut.edges = std::max(1L, static_cast<long>(piece_points) >> levels);
-    cut.pieces = ceil_div(cut.last - cut.first, cut.edges);
     const auto made = static_cast<std::size_t>(((cut.last - cut.first) << levels) + 2 * beyond);
     const std::size_t points = made + (p.closed ? 0 : 1);
     out.dim = p.dim;
@@ -662,7 +659,7 @@ class KnotRefiner {
     out.d.resize(made, T(0));
     out.lambda.resize(made, T(0));
     out.tagged.resize(points);
-    const auto count = static_cast<std::size_t>(cut.pieces);
+    const auto count = static_cast<std::size_t>(ceil_div(cut.last - cut.first, cut.edges));
     if constexpr (detail::is_vectorised<T>) {
       cut.stream = points * (p.dim * sizeof(T) + 2 * sizeof(T) + 1) > detail::streamed_from();
       constexpr std::size_t grain = 8;
@@ -676,8 +673,9 @@ class KnotRefiner {
     for (std::size_t i = 0; i < count; ++i) Cut::call(&cut, 0, i);
   }
 
-  std::vector<KnotPolygon<T>> kept_;  // by level, the last one the result
-  std::vector<Piece> pieces_{1};      // one for each worker
+  std::vector<KnotPolygon<T>> kept_;  // levels before the last one
+  KnotPolygon<T> result_;
+  std::vector<Piece> pieces_{1};  // one for each worker
   int threads_ = 0;
   std::shared_ptr<detail::Workers> workers_;
 };
@@ -685,7 +683,9 @@ class KnotRefiner {
 /// `levels` steps. With Boundary::given, points_beyond_ends() remain beyond each end.
 template <class T>
 KnotPolygon<T> refine_knots(const KnotPolygon<T>& p, KnotRule rule, int levels, Boundary boundary) {
-  return KnotRefiner<T>().refine(p, rule, levels, boundary);
+  KnotRefiner<T> refiner;
+  refiner.refine(p, rule, levels, boundary);
+  return std::move(refiner).take();
 }
 
 /// The part of an open polygon between the points given beyond its ends.
