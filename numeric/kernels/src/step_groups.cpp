@@ -204,21 +204,58 @@ HWY_INLINE void turn(D d, V* HWY_RESTRICT x) {
 
 #else
 
-// kSegments registers as a matrix of blocks, turned.
+// Two neighbours of every 16 bytes of a and b in turn, as numbers of D: (a0, b0, ..), (a1, b1, ..).
+template <class D, class V>
+HWY_INLINE void interleave(D d, V a, V b, V& lower, V& upper) {
+  lower = hn::InterleaveLower(d, a, b);
+  upper = hn::InterleaveUpper(d, a, b);
+}
+
+// The halves of registers of 4 blocks, two by two.
+template <class D, class V>
+HWY_INLINE void join_halves(D d, V a, V b, V& lower, V& upper) {
+  lower = hn::ConcatLowerLower(d, b, a);
+  upper = hn::ConcatUpperUpper(d, b, a);
+}
+
+// kSegments registers as a matrix of blocks, turned. The interleaving is within 16 bytes.
 template <std::size_t kSegments, class D, class V>
 HWY_INLINE void turn(D d, V* HWY_RESTRICT x) {
+  constexpr std::size_t bytes = hn::MaxLanes(D()) * sizeof(hn::TFromD<D>), block = bytes / kSegments;
+  static_assert(kSegments == 1 || kSegments == 2 || block == 8 || block == sizeof(hn::TFromD<D>));
   if constexpr (kSegments == 2) {
-    const V a = x[0], b = x[1];
-    x[0] = hn::ConcatLowerLower(d, b, a);
-    x[1] = hn::ConcatUpperUpper(d, b, a);
+    join_halves(d, V(x[0]), V(x[1]), x[0], x[1]);
+  } else if constexpr (kSegments == 4 && block == 8) {
+    const hn::Repartition<double, D> wide;
+    using W = hn::Vec<decltype(wide)>;
+    W a, b, c, e;
+    interleave(wide, hn::BitCast(wide, x[0]), hn::BitCast(wide, x[1]), a, b);
+    interleave(wide, hn::BitCast(wide, x[2]), hn::BitCast(wide, x[3]), c, e);
+    join_halves(d, hn::BitCast(d, a), hn::BitCast(d, c), x[0], x[2]);
+    join_halves(d, hn::BitCast(d, b), hn::BitCast(d, e), x[1], x[3]);
   } else if constexpr (kSegments == 4) {
-    static_assert(sizeof(hn::TFromD<D>) == 8);  // they interleave within halves
-    const V a = hn::InterleaveLower(d, x[0], x[1]), b = hn::InterleaveUpper(d, x[0], x[1]);
-    const V c = hn::InterleaveLower(d, x[2], x[3]), e = hn::InterleaveUpper(d, x[2], x[3]);
-    x[0] = hn::ConcatLowerLower(d, c, a);
-    x[1] = hn::ConcatLowerLower(d, e, b);
-    x[2] = hn::ConcatUpperUpper(d, c, a);
-    x[3] = hn::ConcatUpperUpper(d, e, b);
+    V a, b, c, e;
+    interleave(d, x[0], x[1], a, b);
+    interleave(d, x[2], x[3], c, e);
+    join_halves(d, a, c, x[0], x[1]);
+    join_halves(d, b, e, x[2], x[3]);
+  } else if constexpr (kSegments == 8) {
+    // Pairs of numbers are blocks of 8 bytes: of the segments 0, 1, 4, 5, and 2, 3, 6, 7.
+    const hn::Repartition<double, D> wide;
+    hn::Vec<decltype(wide)> pairs[2][4];
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) {
+      V lower, upper;
+      interleave(d, x[2 * i], x[2 * i + 1], lower, upper);
+      pairs[0][i] = hn::BitCast(wide, lower);
+      pairs[1][i] = hn::BitCast(wide, upper);
+    }
+#pragma GCC unroll 2
+    for (std::size_t half = 0; half < 2; ++half) {
+      turn<4>(wide, pairs[half]);
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < 4; ++i) x[i + i / 2 * 2 + 2 * half] = hn::BitCast(d, pairs[half][i]);
+    }
   }
 }
 
@@ -227,14 +264,11 @@ HWY_INLINE void turn(D d, V* HWY_RESTRICT x) {
 template <class Real>
 using Whole = hn::CappedTag<Real, register_bytes / sizeof(Real)>;
 
-// Floats only where there are registers of 64 bytes.
 template <class Real, std::size_t kWidth>
-inline constexpr std::size_t segments_for =
-    sizeof(Real) == 4 && register_bytes<64            ? 0
-                                        : kWidth == 3 ? hn::MaxLanes(Whole<Real>())
-                                                      : kWidth> hn::MaxLanes(Whole<Real>())
-        ? 1
-        : hn::MaxLanes(Whole<Real>()) / kWidth;
+inline constexpr std::size_t segments_for = kWidth == 3 ? hn::MaxLanes(Whole<Real>())
+                                            : kWidth > hn::MaxLanes(Whole<Real>())
+                                                ? 1
+                                                : hn::MaxLanes(Whole<Real>()) / kWidth;
 
 std::size_t segments(std::size_t bytes, std::size_t width) {
   constexpr std::size_t of_doubles[] = {0, segments_for<double, 1>, segments_for<double, 2>, segments_for<double, 3>,
@@ -244,65 +278,126 @@ std::size_t segments(std::size_t bytes, std::size_t width) {
   return width > 4 ? 0 : bytes == 8 ? of_doubles[width] : of_floats[width];
 }
 
-// Registers that are whole rows of all segments, turned: number `at` of every segment, and on.
-template <std::size_t kSegments, bool kStream, std::size_t kCount, class D, class V, class Real>
-HWY_INLINE void take_apart(D d, V* HWY_RESTRICT row, Real* const* apart, std::size_t at) {
-#pragma GCC unroll 64
-  for (std::size_t i = 0; i < kCount / kSegments; ++i) {
-    turn<kSegments>(d, row + i * kSegments);
+// Where rows of all segments go apart, in rounds of kRound registers. Past the caches registers smaller than a line go
+// by a stage: lines of several places, begun and not yet filled, would leave the processor in parts.
+template <std::size_t kSegments, std::size_t kRound, bool kStream, class D>
+class Apart {
+  using Real = hn::TFromD<D>;
+  static constexpr std::size_t lanes = hn::MaxLanes(D());
+  static constexpr bool staged = kStream && kSegments > 1 && register_bytes < 64;
+  // Of the stage, for every segment: whole lines, in all about 64 registers or a round.
+  static constexpr std::size_t room = kRound / kSegments * lanes * (((64 + kRound - 1) / kRound + 3) / 4 * 4);
+
+ public:
+  HWY_INLINE explicit Apart(Real* const* apart) {
 #pragma GCC unroll 16
-    for (std::size_t l = 0; l < kSegments; ++l) {
-      Real* const to = apart[l] + at + i * hn::MaxLanes(D());
-      if constexpr (kStream) {
-        hn::Stream(row[i * kSegments + l], d, to);
-      } else {
-        hn::StoreU(row[i * kSegments + l], d, to);
+    for (std::size_t l = 0; l < kSegments; ++l) to_[l] = apart[l];
+  }
+
+  // kCount registers, of a round; `at`: the numbers of every segment that were put before since `rest` was 0.
+  template <std::size_t kCount, class V>
+  HWY_INLINE void put(V* HWY_RESTRICT row, std::size_t at) {
+    const D d;
+#pragma GCC unroll 64
+    for (std::size_t i = 0; i < kCount / kSegments; ++i) {
+      turn<kSegments>(d, row + i * kSegments);
+#pragma GCC unroll 16
+      for (std::size_t l = 0; l < kSegments; ++l) {
+        const V& v = row[i * kSegments + l];
+        if constexpr (staged) {
+          hn::Store(v, d, stage_ + l * room + at + i * lanes);
+        } else if constexpr (kStream) {
+          hn::Stream(v, d, to_[l] + at + i * lanes);
+        } else {
+          hn::StoreU(v, d, to_[l] + at + i * lanes);
+        }
       }
     }
   }
-}
 
-// From row q on, N rows of every phase: as rows, or apart.
-template <std::size_t kArity, std::size_t kRegisters, std::size_t kSegments, std::size_t N, bool kApart, bool kStream,
-          class D, class Real, class PhasesOf>
-HWY_INLINE void block_of_rows(D d, const SideBySide<Real>& g, const PhasesOf& phases, std::size_t q) {
-  using V = hn::Vec<D>;
-  constexpr std::size_t lanes = hn::MaxLanes(D());
-  constexpr std::size_t all = kArity * N * kRegisters;
-  V part[N * kRegisters], row[all];
+  // After every round; what is left of `at`.
+  HWY_INLINE std::size_t rest(std::size_t at) {
+    if (!staged || at < room) return at;
+    flush(at);
+    return 0;
+  }
+
+  HWY_INLINE void flush(std::size_t at) {
+    if constexpr (staged) {
+      const D d;
+#pragma GCC unroll 16
+      for (std::size_t l = 0; l < kSegments; ++l) {
+        Real* const to = to_[l];
+        for (std::size_t line = 0; line < at; line += 64 / sizeof(Real)) {
+#pragma GCC unroll 4
+          for (std::size_t i = line; i < line + 64 / sizeof(Real); i += lanes)
+            hn::Stream(hn::Load(d, stage_ + l * room + i), d, to + i);
+        }
+        to_[l] = to + at;
+      }
+    }
+  }
+
+ private:
+  HWY_ALIGN Real stage_[staged ? kSegments * room : 1];
+  Real* to_[kSegments];
+};
+
+// From row q on, N rows of every phase.
+template <std::size_t kArity, std::size_t kRegisters, std::size_t N, class V, class PhasesOf>
+HWY_INLINE void block_of_rows(const PhasesOf& phases, std::size_t at, V* HWY_RESTRICT row) {
+  V part[N * kRegisters];
 #pragma GCC unroll 4
   for (std::size_t r = 0; r < kArity; ++r) {
-    phases.template sum<N * kRegisters>(r, q * kRegisters * lanes, part);
+    phases.template sum<N * kRegisters>(r, at, part);
 #pragma GCC unroll 32
     for (std::size_t i = 0; i < N * kRegisters; ++i)
       row[(i / kRegisters * kArity + r) * kRegisters + i % kRegisters] = part[i];
   }
-  if constexpr (!kApart) {
-    Real* const out = g.out + q * kArity * kRegisters * lanes;
-#pragma GCC unroll 64
-    for (std::size_t i = 0; i < all; ++i) hn::StoreU(row[i], d, out + i * lanes);
-  } else {
-    take_apart<kSegments, kStream, all>(d, row, g.apart, q * kArity * kRegisters * lanes / kSegments);
+}
+
+// N rows of every phase after another, apart.
+template <std::size_t kArity, std::size_t kRegisters, std::size_t kSegments, std::size_t N, bool kStream, class D,
+          class Real, class PhasesOf>
+void rows_apart(D, const SideBySide<Real>& g, const PhasesOf phases) {
+  constexpr std::size_t lanes = hn::MaxLanes(D()), count = kArity * N * kRegisters;
+  Apart<kSegments, count, kStream, D> to(g.apart);
+  std::size_t at = 0;
+  for (std::size_t q = 0; q < g.groups; q += N) {
+    hn::Vec<D> row[count];
+    block_of_rows<kArity, kRegisters, N>(phases, q * kRegisters * lanes, row);
+    to.template put<count>(row, at);
+    at = to.rest(at + count / kSegments * lanes);
   }
+  to.flush(at);
+}
+
+template <std::size_t kArity, std::size_t kRegisters, class D, class Real, class PhasesOf>
+void rows_together(D d, const SideBySide<Real>& g, const PhasesOf phases) {
+  constexpr std::size_t lanes = hn::MaxLanes(D()), N = kRegisters < 3 ? 4 / kRegisters : 1;
+  const auto block = [&](auto rows, std::size_t q) HWY_ATTR {
+    constexpr std::size_t n = decltype(rows)::value, count = kArity * n * kRegisters;
+    hn::Vec<D> row[count];
+    block_of_rows<kArity, kRegisters, n>(phases, q * kRegisters * lanes, row);
+#pragma GCC unroll 64
+    for (std::size_t i = 0; i < count; ++i) hn::StoreU(row[i], d, g.out + (q * kArity * kRegisters + i) * lanes);
+  };
+  std::size_t q = 0;
+  for (; q + N <= g.groups; q += N) block(std::integral_constant<std::size_t, N>(), q);
+  for (; q < g.groups; ++q) block(std::integral_constant<std::size_t, 1>(), q);
 }
 
 template <std::size_t kArity, std::size_t kRegisters, std::size_t kSegments, class D, class Real, class PhasesOf>
-void rows_side_by_side(D d, const SideBySide<Real>& g, const PhasesOf phases) {
+void rows_side_by_side(D d, const SideBySide<Real>& g, const PhasesOf& phases) {
   // Rows of a phase whose registers, all phases together, can be turned: a power of 2 up to 16.
   constexpr std::size_t N = [] {
     std::size_t n = kRegisters < 3 ? 4 / kRegisters : 1;
     while (kArity * n * kRegisters % kSegments != 0) n *= 2;
     return n;
   }();
-  std::size_t q = 0;
-  if (g.apart == nullptr) {
-    for (; q + N <= g.groups; q += N) block_of_rows<kArity, kRegisters, kSegments, N, false, false>(d, g, phases, q);
-    for (; q < g.groups; ++q) block_of_rows<kArity, kRegisters, kSegments, 1, false, false>(d, g, phases, q);
-  } else if (g.stream) {
-    for (; q < g.groups; q += N) block_of_rows<kArity, kRegisters, kSegments, N, true, true>(d, g, phases, q);
-  } else {
-    for (; q < g.groups; q += N) block_of_rows<kArity, kRegisters, kSegments, N, true, false>(d, g, phases, q);
-  }
+  if (g.apart == nullptr) return rows_together<kArity, kRegisters>(d, g, phases);
+  return g.stream ? rows_apart<kArity, kRegisters, kSegments, N, true>(d, g, phases)
+                  : rows_apart<kArity, kRegisters, kSegments, N, false>(d, g, phases);
 }
 
 template <std::size_t kWidth, class Real>
@@ -383,8 +478,8 @@ HWY_INLINE hn::Vec<D> row_of_step(D d, const hn::Vec<D>* HWY_RESTRICT weight, co
 }
 
 // Every round takes a point, makes two rows of it ahead of those that the second step needs, makes four rows between
-// the last two steps and eight of these. The rows between stay in registers, with those that the next round needs too,
-// for every register of a row.
+// the last two steps and eight of these. The rows between go by in a window of registers, one for every register of a
+// row.
 template <std::size_t kPairs, std::size_t kRegisters, std::size_t kSegments, bool kStream, class D,
           class Real = hn::TFromD<D>>
 void three_steps(D d, const ThreeSteps<Real>& g) {
@@ -392,7 +487,14 @@ void three_steps(D d, const ThreeSteps<Real>& g) {
   constexpr std::size_t lanes = hn::MaxLanes(D()), stride = kRegisters * lanes;
   constexpr long row_stride = static_cast<long>(stride), pairs = static_cast<long>(kPairs);
   constexpr std::size_t kept = 2 * kPairs - 1;
-  constexpr std::size_t rounds = 8 * kRegisters % kSegments == 0 ? 1 : 2;  // until the registers can be turned
+  // Points between the last two steps whose rows are made at once: until their registers can be turned, and straight
+  // past the caches all of a round, for that the stores come in bursts.
+  constexpr std::size_t points = [] {
+    std::size_t n = kStream && (kSegments == 1 || register_bytes == 64) ? 4 : 1;
+    while (2 * n * kRegisters % kSegments != 0) n *= 2;
+    return n;
+  }();
+  constexpr std::size_t rounds = points > 4 ? points / 4 : 1;  // of which they take
   // Round q needs the rows 2q - behind .. 2q + ahead of the first step.
   constexpr long behind = pairs + pairs / 2 - 1, ahead = pairs + (pairs + 2) / 2;
   constexpr std::size_t piece = 32;  // rounds
@@ -403,8 +505,10 @@ void three_steps(D d, const ThreeSteps<Real>& g) {
     second[s] = hn::Set(d, g.second[s]);
     third[s] = hn::Set(d, g.third[s]);
   }
+  Apart<kSegments, 8 * rounds * kRegisters, kStream, D> to(g.apart);
+  std::size_t at = 0;
   HWY_ALIGN Real made[(2 * piece + static_cast<std::size_t>(behind + ahead)) * stride];
-  const Real* const points = made + behind * row_stride;
+  const Real* const made_first = made + behind * row_stride;
   for (std::size_t from = 0; from < g.groups; from += piece) {
     const std::size_t groups = std::min(piece, g.groups - from);
     const Real* const in = g.in + from * stride;
@@ -416,41 +520,37 @@ void three_steps(D d, const ThreeSteps<Real>& g) {
     };
 #pragma GCC unroll 32
     for (long i = -behind; i < ahead - 1; ++i) make(0, i);
-    V keep[kRegisters][kept];
+    V window[kRegisters][kept + 1];
 #pragma GCC unroll 4
     for (std::size_t c = 0; c < kRegisters; ++c)
 #pragma GCC unroll 16
       for (std::size_t i = 0; i < kept; ++i)
-        keep[c][i] = row_of_step<kPairs>(d, second, points + c * lanes, static_cast<long>(i) + 1 - pairs, row_stride);
+        window[c][i] =
+            row_of_step<kPairs>(d, second, made_first + c * lanes, static_cast<long>(i) + 1 - pairs, row_stride);
     for (std::size_t q = 0; q < groups; q += rounds) {
 #pragma GCC unroll 4
       for (long i = 0; i < 2 * static_cast<long>(rounds); ++i) make(q, ahead - 1 + i);
-      V row[8 * rounds * kRegisters];
+      const Real* const round = made_first + 2 * q * stride;
+#pragma GCC unroll 8
+      for (std::size_t i = 0; i < 4 * rounds; i += points) {
+        V row[2 * points * kRegisters];
 #pragma GCC unroll 4
-      for (std::size_t c = 0; c < kRegisters; ++c) {
-        V window[kept + 4];
+        for (std::size_t c = 0; c < kRegisters; ++c)
+#pragma GCC unroll 8
+          for (std::size_t n = 0; n < points; ++n) {
+            window[c][kept] =
+                row_of_step<kPairs>(d, second, round + c * lanes, pairs + static_cast<long>(i + n), row_stride);
+            row[2 * n * kRegisters + c] = window[c][kPairs - 1];
+            row[(2 * n + 1) * kRegisters + c] = new_point<kPairs>(third, RowsInRegisters<V>{window[c]});
 #pragma GCC unroll 16
-        for (std::size_t i = 0; i < kept; ++i) window[i] = keep[c][i];
-#pragma GCC unroll 2
-        for (std::size_t r = 0; r < rounds; ++r) {
-          const Real* const point = points + 2 * (q + r) * stride + c * lanes;
-#pragma GCC unroll 4
-          for (std::size_t i = 0; i < 4; ++i)
-            window[kept + i] = row_of_step<kPairs>(d, second, point, pairs + static_cast<long>(i), row_stride);
-#pragma GCC unroll 4
-          for (std::size_t i = 0; i < 4; ++i) {
-            row[(8 * r + 2 * i) * kRegisters + c] = window[i + kPairs - 1];
-            row[(8 * r + 2 * i + 1) * kRegisters + c] = new_point<kPairs>(third, RowsInRegisters<V>{window + i});
+            for (std::size_t k = 0; k < kept; ++k) window[c][k] = window[c][k + 1];
           }
-#pragma GCC unroll 16
-          for (std::size_t i = 0; i < kept; ++i) window[i] = window[i + 4];
-        }
-#pragma GCC unroll 16
-        for (std::size_t i = 0; i < kept; ++i) keep[c][i] = window[i];
+        to.template put<2 * points * kRegisters>(row, at + 2 * i * stride / kSegments);
       }
-      take_apart<kSegments, kStream, 8 * rounds * kRegisters>(d, row, g.apart, (from + q) * 8 * stride / kSegments);
+      at = to.rest(at + 8 * rounds * stride / kSegments);
     }
   }
+  to.flush(at);
 }
 
 template <std::size_t kWidth, class Real>
@@ -556,13 +656,13 @@ void groups_of_floats(const Groups<float>& g) { any_groups(g); }
 
 // `bytes` a multiple of 64, `to` of 64.
 void copy_lines(const void* from, std::size_t bytes, void* to) {
-  const hn::CappedTag<std::uint64_t, 8> d;
-  const auto* source = static_cast<const unsigned char*>(from);
-  auto* target = static_cast<std::uint64_t*>(to);
-  for (std::size_t i = 0; i < bytes; i += hn::Lanes(d) * 8) {
-    HWY_ALIGN std::uint64_t line[8];
-    std::memcpy(line, source + i, hn::Lanes(d) * 8);
-    hn::Stream(hn::Load(d, line), d, target + i / 8);
+  const hn::CappedTag<std::uint8_t, 64> d;
+  constexpr std::size_t lanes = hn::MaxLanes(d);
+  const auto* const source = static_cast<const std::uint8_t*>(from);
+  auto* const target = static_cast<std::uint8_t*>(to);
+  for (std::size_t line = 0; line < bytes; line += 64) {
+#pragma GCC unroll 4
+    for (std::size_t i = line; i < line + 64; i += lanes) hn::Stream(hn::LoadU(d, source + i), d, target + i);
   }
 }
 

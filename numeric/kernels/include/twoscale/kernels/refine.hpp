@@ -680,9 +680,10 @@ class Tile {
     return static_cast<long>(unit * std::max<std::size_t>(1, job.chunk_values / (unit * width)));
   }
 
-  // Groups of the last step, or of the last three, computed at once.
+  // Groups of the last step, or of the last three, computed at once: of rows of many registers too so many that what
+  // three steps begin with is little beside them.
   long end_groups(const Job<T>& job, std::size_t wide) const {
-    return chunk_rows(job, job.plan->shapes.size(), wide) / end_.arity;
+    return std::max(128L, chunk_rows(job, job.plan->shapes.size(), wide)) / end_.arity / 16 * 16;
   }
 
   // Rows of the last level on their way past the caches.
