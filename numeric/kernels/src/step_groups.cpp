@@ -224,7 +224,7 @@ HWY_INLINE void turn(D d, V* HWY_RESTRICT x) {
   constexpr std::size_t bytes = hn::MaxLanes(D()) * sizeof(hn::TFromD<D>), block = bytes / kSegments;
   static_assert(kSegments == 1 || kSegments == 2 || block == 8 || block == sizeof(hn::TFromD<D>));
   if constexpr (kSegments == 2) {
-    join_halves(d, V(x[0]), V(x[1]), x[0], x[1]);
+    join_halves(d, x[0], x[1], x[0], x[1]);
   } else if constexpr (kSegments == 4 && block == 8) {
     const hn::Repartition<double, D> wide;
     using W = hn::Vec<decltype(wide)>;
@@ -279,7 +279,7 @@ std::size_t segments(std::size_t bytes, std::size_t width) {
 }
 
 // Where rows of all segments go apart, in rounds of kRound registers. Past the caches registers smaller than a line go
-// by a stage: lines of several places, begun and not yet filled, would leave the processor in parts.
+// by a stage: lines of several places, begun and not yet filled, leave the processor in parts.
 template <std::size_t kSegments, std::size_t kRound, bool kStream, class D>
 class Apart {
   using Real = hn::TFromD<D>;
@@ -343,7 +343,7 @@ class Apart {
   Real* to_[kSegments];
 };
 
-// From row q on, N rows of every phase.
+// N rows of every phase, from number `at` of the input on.
 template <std::size_t kArity, std::size_t kRegisters, std::size_t N, class V, class PhasesOf>
 HWY_INLINE void block_of_rows(const PhasesOf& phases, std::size_t at, V* HWY_RESTRICT row) {
   V part[N * kRegisters];
@@ -488,7 +488,7 @@ void three_steps(D d, const ThreeSteps<Real>& g) {
   constexpr long row_stride = static_cast<long>(stride), pairs = static_cast<long>(kPairs);
   constexpr std::size_t kept = 2 * kPairs - 1;
   // Points between the last two steps whose rows are made at once: until their registers can be turned, and straight
-  // past the caches all of a round, for that the stores come in bursts.
+  // past the caches all of a round, so that the stores come in bursts.
   constexpr std::size_t points = [] {
     std::size_t n = kStream && (kSegments == 1 || register_bytes == 64) ? 4 : 1;
     while (2 * n * kRegisters % kSegments != 0) n *= 2;
