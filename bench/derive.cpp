@@ -4,6 +4,8 @@
 #include <benchmark/benchmark.h>
 #include <ginac/ginac.h>
 
+#include <string_view>
+
 #include "spaces.hpp"
 #include "twoscale/symbolic/expression.hpp"
 #include "twoscale/symbolic/mary_interpolatory.hpp"
@@ -25,8 +27,13 @@ void derive(benchmark::State& state, const char* name) {
   over_space(state, name, [](const Space& s) { return interpolating_symbol(s); });
 }
 
-// The harmonic family as exponent counts, nothing multiplied out.
-void factored(benchmark::State& state) { over_space(state, "harmonic", interpolating_coefficients_harmonic); }
+// The closed forms, nothing multiplied out: exponent counts, or the 2n numbers of two nodes.
+void factored(benchmark::State& state, const char* name) {
+  if (std::string_view(name) == "harmonic")
+    over_space(state, name, interpolating_coefficients_harmonic);
+  else
+    over_space(state, name, interpolating_two_nodes_factored);
+}
 
 // The same for arity 3: an even and an odd Hermite problem for the one phase that symmetry leaves.
 void ternary(benchmark::State& state, const char* name) {
@@ -82,7 +89,9 @@ void ginac(benchmark::State& state, const char* name) {
 
 TWOSCALE_FAMILIES(derive, 16);
 TWOSCALE_OTHERS(derive, 12, 8);
-BENCHMARK(factored)->Name("factored/harmonic")->ArgName("l")->DenseRange(2, 10)->Arg(16)->Arg(32)->Arg(64);
+BENCHMARK_CAPTURE(factored, mixed, "mixed")->ArgName("l")->DenseRange(2, 10)->Arg(16)->Arg(32)->Arg(64);
+BENCHMARK_CAPTURE(factored, harmonic, "harmonic")->ArgName("l")->DenseRange(2, 10)->Arg(16)->Arg(32)->Arg(64);
+BENCHMARK_CAPTURE(factored, resonant, "resonant")->ArgName("l")->DenseRange(2, 10)->Arg(16)->Arg(32)->Arg(64);
 TWOSCALE_FAMILIES(ternary, 12);
 TWOSCALE_OTHERS(ternary, 8, 5);
 TWOSCALE_FAMILIES(generic, 12);

@@ -288,6 +288,7 @@ class Run:
                 if alive["sympy"] and l in (4, 8):
                     first = (within(self.limit, sympy_linsolve, unfolded(derivation["sigma"], l), False) or (None,))[0]
                     self.compare(f"derive {name}", f"l={l}", ours, "SymPy, not folded", first)
+                    self.compare(f"factored {name}", f"l={l}", f"factored/{name}/l:{l}", "SymPy, not folded", first)
                 if alive["sympy"]:
                     first, again = within(self.limit, sympy_linsolve, folded) or (None, None)
                     alive["sympy"] = first is not None
@@ -312,9 +313,10 @@ class Run:
                     own = self.ours.get(f"{route}/{name}/l:{l}")
                     if own and l == 8:
                         self.compare(f"derive {name}", f"l={l}", ours, f"own route: {route}", own["seconds"])
-        for l in (16, 32, 64):
-            if f"factored/harmonic/l:{l}" in self.ours:
-                self.row("factored harmonic", f"l={l}", self.ours[f"factored/harmonic/l:{l}"]["seconds"], "", None)
+        for name in FAMILIES:
+            for l in (16, 32, 64):
+                if f"factored/{name}/l:{l}" in self.ours:
+                    self.row(f"factored {name}", f"l={l}", self.ours[f"factored/{name}/l:{l}"]["seconds"], "", None)
 
     def process(self):
         """The whole program at l = 8, medians of 15: CPU seconds, and wall-clock seconds."""
@@ -377,8 +379,12 @@ class Run:
                     name, ours = {"eigen_sparse": ("Eigen sparse", "ours"),
                                   "opensubdiv": ("OpenSubdiv, float", "ours_float")}[peer]
                     self.compare(job, f"D={dim}", f"{ours}/D:{dim}", name, other["seconds"])
-            self.compare("the same, all allocating", f"D={dim}", f"ours_allocating/D:{dim}", "numpy slices",
-                         measure(lambda: numpy_refine(points, masks), at_least=1, most=5))
+                    # The bound: nobody can be faster than writing the result is.
+                    self.compare("writing it alone", f"D={dim}", f"{ours.replace('ours', 'writing')}/D:{dim}", name,
+                                 other["seconds"])
+            allocating = measure(lambda: numpy_refine(points, masks), at_least=1, most=5)
+            self.compare("the same, all allocating", f"D={dim}", f"ours_allocating/D:{dim}", "numpy slices", allocating)
+            self.compare("the same, ours in a pool", f"D={dim}", f"ours_pooled/D:{dim}", "numpy slices", allocating)
         print(f"\n{'part of the rate of writing, or of the bound':<48} {'threads':>8} {'':>6}")
         for name, value in self.ours.items():
             threads = re.search(r"threads:(\d+)", name)

@@ -7,7 +7,6 @@
 // all levels (Eigen), the stencils of all levels by OpenSubdiv's CPU evaluator in float.
 #include <benchmark/benchmark.h>
 #include <emmintrin.h>
-#include <sys/mman.h>
 
 #include <Eigen/Sparse>
 #include <algorithm>
@@ -32,30 +31,15 @@ namespace twoscale::bench {
 namespace {
 
 using kernels::Boundary;
+using kernels::Buffer;
 
-// Numbers in huge pages.
+// Zeros in huge pages.
 template <class Real>
-class Buffer {
- public:
-  explicit Buffer(std::size_t count) : count_(count) {
-    constexpr std::size_t page = std::size_t{2} << 20;
-    const std::size_t bytes = (count * sizeof(Real) + page - 1) / page * page;
-    data_.reset(static_cast<Real*>(std::aligned_alloc(page, bytes)));
-#ifdef MADV_HUGEPAGE
-    madvise(data_.get(), bytes, MADV_HUGEPAGE);
-#endif
-    std::fill_n(data_.get(), count, Real(0));
-  }
-  std::span<Real> span() { return {data_.get(), count_}; }
-  std::size_t bytes() const { return count_ * sizeof(Real); }
-
- private:
-  struct Free {
-    void operator()(Real* p) const { std::free(p); }
-  };
-  std::unique_ptr<Real, Free> data_;
-  std::size_t count_;
-};
+kernels::Buffer<Real> zeros(std::size_t count) {
+  kernels::Buffer<Real> out = kernels::BufferPool().take<Real>(count);
+  std::ranges::fill(out.span(), Real(0));
+  return out;
+}
 
 void write(char* to, std::size_t bytes) {
   const __m128i value = _mm_set1_epi8(1);
@@ -92,7 +76,7 @@ void beside_write(benchmark::State& state, Buffer<Real>& out, int threads, Job&&
   job();
   for (auto _ : state) {
     const double start = now(threads);
-    write(reinterpret_cast<char*>(out.span().data()), out.bytes(), threads);
+    write(reinterpret_cast<char*>(out.span().data()), out.span().size_bytes(), threads);
     const double between = now(threads);
     job();
     const double end = now(threads);
@@ -100,7 +84,8 @@ void beside_write(benchmark::State& state, Buffer<Real>& out, int threads, Job&&
     working.push_back(end - between);
     state.SetIterationTime(std::max(1e-9, end - between));
   }
-  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * static_cast<std::int64_t>(out.bytes())));
+  state.SetBytesProcessed(
+      static_cast<std::int64_t>(state.iterations() * static_cast<std::int64_t>(out.span().size_bytes())));
   state.counters["of_write"] = median(writing) / median(working);
 }
 
@@ -130,7 +115,7 @@ void curve(benchmark::State& state, std::size_t n, int levels, Boundary boundary
   kernels::Refiner<Real> refiner(table(id, v0 == nullptr ? std::nullopt : std::optional<std::string>(v0), levels));
   refiner.set_threads(threads);
   const std::vector<Real> in = polygon<Real>(n, dim);
-  Buffer<Real> out(refiner.output(n, levels, boundary).count * dim);
+  Buffer<Real> out = zeros<Real>(refiner.output(n, levels, boundary).count * dim);
   beside_write(state, out, threads, [&] { refiner.refine(in, dim, levels, boundary, out.span()); });
 }
 
@@ -168,7 +153,7 @@ void tensor(benchmark::State& state) {
   const kernels::GridSize size{100, 100};
   const kernels::DirectionRun run{4, Boundary::closed};
   const std::vector<double> in = polygon<double>(size.rows * size.columns, dim);
-  Buffer<double> out(1600 * 1600 * dim);
+  Buffer<double> out = zeros<double>(1600 * 1600 * dim);
   beside_write(state, out, 1, [&] { refiner.refine(in, size, dim, run, run, out.span()); });
 }
 BENCHMARK(tensor)->ArgName("D")->Arg(1)->Arg(3)->UseManualTime();
@@ -273,11 +258,12 @@ void nuli(benchmark::State& state, kernels::KnotRule rule) {
   const double working = beside_bound(state, bound, job);
   // What comes out, points, intervals, edge parameters and tags, by streaming stores alone.
   const kernels::KnotPolygon<double>& fine = refiner.refine(large, rule, levels, Boundary::closed);
-  Buffer<double> out(fine.points.size() + fine.d.size() + fine.lambda.size() + fine.tagged.size() / sizeof(double));
+  Buffer<double> out =
+      zeros<double>(fine.points.size() + fine.d.size() + fine.lambda.size() + fine.tagged.size() / sizeof(double));
   std::vector<double> writing;
   for (int i = 0; i < 9; ++i) {
     const double start = now(1);
-    write(reinterpret_cast<char*>(out.span().data()), out.bytes());
+    write(reinterpret_cast<char*>(out.span().data()), out.span().size_bytes());
     writing.push_back(now(1) - start);
   }
   state.counters["of_write"] = median(writing) / working;
@@ -335,7 +321,7 @@ void ours(benchmark::State& state) {
   kernels::Refiner<Real> refiner(table(six_point, "1/2", peer_levels));
   refiner.set_threads(1);
   const std::vector<Real> in = polygon<Real>(peer_points, dim);
-  Buffer<Real> out((peer_points << peer_levels) * dim);
+  Buffer<Real> out = zeros<Real>((peer_points << peer_levels) * dim);
   for (auto _ : state) {
     refiner.refine(in, dim, peer_levels, Boundary::closed, out.span());
     benchmark::ClobberMemory();
@@ -355,6 +341,40 @@ void ours_allocating(benchmark::State& state) {
   }
 }
 BENCHMARK(ours_allocating)->ArgName("D")->DenseRange(1, 4);
+
+// What no refinement can pass: the same output by streaming stores alone.
+template <class Real>
+void writing(benchmark::State& state) {
+  Buffer<Real> out = zeros<Real>((peer_points << peer_levels) * static_cast<std::size_t>(state.range(0)));
+  for (auto _ : state) write(reinterpret_cast<char*>(out.data()), out.span().size_bytes());
+}
+BENCHMARK(writing<double>)->Name("writing")->ArgName("D")->DenseRange(1, 4);
+BENCHMARK(writing<float>)->Name("writing_float")->ArgName("D")->DenseRange(1, 4);
+
+// The result in memory of a pool, which it goes back to.
+void ours_pooled(benchmark::State& state) {
+  const auto dim = static_cast<std::size_t>(state.range(0));
+  const kernels::MaskTable t = table(six_point, "1/2", peer_levels);
+  const std::vector<double> in = polygon<double>(peer_points, dim);
+  kernels::BufferPool pool;
+  for (auto _ : state) {
+    kernels::Refiner<double> refiner(t);
+    refiner.set_threads(1);
+    benchmark::DoNotOptimize(refiner.refine(in, dim, peer_levels, Boundary::closed, pool).data());
+  }
+}
+BENCHMARK(ours_pooled)->ArgName("D")->DenseRange(1, 4);
+
+// Growth with the number of points: D = 2, 8 levels, one thread, output kept.
+void growth(benchmark::State& state) {
+  kernels::Refiner<double> refiner(table(six_point, "1/2", peer_levels));
+  refiner.set_threads(1);
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const std::vector<double> in = polygon<double>(n, 2);
+  Buffer<double> out = zeros<double>(refiner.output(n, peer_levels, Boundary::closed).count * 2);
+  for (auto _ : state) refiner.refine(in, 2, peer_levels, Boundary::closed, out.span());
+}
+BENCHMARK(growth)->Name("refine/6-point")->ArgName("points")->RangeMultiplier(10)->Range(10, 100'000);
 
 // All levels as one sparse matrix.
 Eigen::SparseMatrix<double, Eigen::RowMajor> all_levels() {

@@ -175,7 +175,15 @@ std::vector<std::pair<Polynomial, Polynomial>> two_node_parts(long n, const Poly
 
 }  // namespace
 
-std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
+namespace {
+
+// The nodes of a space with two different ones, one of them simple: which is which, and n = l - 1.
+struct TwoNodes {
+  Node simple, multiple;
+  Polynomial q, p;
+  long n;
+};
+std::optional<TwoNodes> two_nodes(const Space& space) {
   const size_t l = half_dimension(space);
   const std::vector<Node> node = nodes(space);
   if (l < 2) return std::nullopt;
@@ -184,10 +192,35 @@ std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
   const size_t simple = last ? l - 1 : 0;
   const size_t multiple = last ? 0 : l - 1;
   if (node[simple] == node[multiple]) return std::nullopt;
-  const long n = static_cast<long>(l) - 1;
-  const std::vector<Polynomial> w = cosh_nodes(space);
-  const Polynomial& p = w[multiple];
-  const Polynomial& q = w[simple];
+  std::vector<Polynomial> w = cosh_nodes(space);
+  return TwoNodes{node[simple], node[multiple], std::move(w[simple]), std::move(w[multiple]), static_cast<long>(l) - 1};
+}
+
+}  // namespace
+
+std::optional<TwoNodeSymbol> interpolating_two_nodes_factored(const Space& space) {
+  auto nodes = two_nodes(space);
+  if (!nodes) return std::nullopt;
+  const long n = nodes->n;
+  TwoNodeSymbol s{std::move(nodes->p), std::move(nodes->q), {}, {}};
+  // c = 1/int_0^1 (1-y^2)^{n-1} dy = (2n-1) C(2n-2,n-1)/4^{n-1} = prod_{k<n} (2k+1)/(2k) for k > 0.
+  Rational f = 1, g = Rational(n % 2 == 0 ? 1 : -1) * Rational(2).pow(1 - n);
+  for (long k = 1; k < n; ++k) f = f * Rational(2 * k + 1, 2 * k);
+  s.f.reserve(static_cast<size_t>(n));
+  s.g.reserve(static_cast<size_t>(n));
+  for (long k = 0; k < n; ++k) {
+    s.f.push_back(f / Rational(2 * k + 1));
+    f = f * Rational(-(n - 1 - k), k + 1);
+    s.g.push_back(g);
+    g = g * Rational(n + k, 2 * (k + 1));
+  }
+  return s;
+}
+
+std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
+  const auto found = two_nodes(space);
+  if (!found) return std::nullopt;
+  const auto& [simple, multiple, q, p, n] = *found;
   // G by Horner in p + q; at the end `power` is (p + q)^n.
   Polynomial g, power = 1;
   const Polynomial sum = p + q;
@@ -206,9 +239,9 @@ std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space) {
     for (auto& [factor, exponent] : f.factors) exponent *= static_cast<unsigned>(e);
     return f;
   };
-  FactoredPolynomial denominator = sums(node[simple], node[simple]);  // 2 q (p + q)^n (2 p)^{2n-1}
-  denominator.multiply(to_the(sums(node[simple], node[multiple]), n));
-  denominator.multiply(to_the(sums(node[multiple], node[multiple]), 2 * n - 1));
+  FactoredPolynomial denominator = sums(simple, simple);  // 2 q (p + q)^n (2 p)^{2n-1}
+  denominator.multiply(to_the(sums(simple, multiple), n));
+  denominator.multiply(to_the(sums(multiple, multiple), 2 * n - 1));
   const Rational content = denominator.content / Rational(2).pow(2 * n) * Rational(2).pow(4 * n - 1);
   const std::vector<std::pair<Polynomial, Polynomial>> parts = two_node_parts(n, p);
   std::vector<RationalFunction> odd;

@@ -190,6 +190,39 @@ TEST(InterpolatingSymbol, ClosedFormForTwoNodesKnowsItsSpaces) {
     EXPECT_FALSE(interpolating_symbol_two_nodes(Space::parse(text)).has_value()) << text;
 }
 
+// Both sides at z = 3, v = 5/4 and v_s = 5/4, v_t = 13/5.
+TEST(InterpolatingSymbol, TwoNodesWithNothingMultipliedOut) {
+  std::vector<Space> spaces;
+  for (unsigned l = 2; l <= 9; ++l)
+    for (const char* family : {"mixed", "resonant"}) spaces.push_back(family_space(family, family_member(family, l)));
+  for (const char* text : {"1,x,exp(t*x),exp(-t*x)", "exp(s*x),exp(-s*x),exp(t*x),exp(-t*x),x*exp(s*x),x*exp(-s*x)",
+                           "exp(t*x),exp(-t*x),exp(2*t*x),exp(-2*t*x),x*exp(2*t*x),x*exp(-2*t*x)"})
+    spaces.push_back(Space::parse(text));
+  for (const Space& space : spaces) {
+    const TwoNodeSymbol s = interpolating_two_nodes_factored(space).value();
+    std::vector<std::pair<std::string, Rational>> at;
+    for (const auto& v : space.variables()) at.emplace_back(v.name, at.empty() ? Rational(5, 4) : Rational(13, 5));
+    const Rational p = s.p.evaluate(at), q = s.q.evaluate(at), w = (Rational(3) + Rational(1, 3)) / Rational(2);
+    const auto n = static_cast<long>(s.f.size());
+    ASSERT_EQ(2 * n + 2, static_cast<long>(space.dimension()));
+    Rational value = 1, kappa;
+    for (long k = 0; k < n; ++k) {
+      value += s.f[static_cast<size_t>(k)] * (w / p).pow(2 * k + 1);
+      kappa += s.g[static_cast<size_t>(k)] * p.pow(-n - k) * (p + q).pow(k - n) / q;
+    }
+    value += kappa * w * (w * w - p * p).pow(n);
+    Rational expected;
+    const Laurent zeta = interpolating_symbol_by_divided_differences(space);
+    for (long i = zeta.lowest(); i <= zeta.highest(); ++i) {
+      const RationalFunction a = zeta.coefficient(i);
+      expected += a.numerator().evaluate(at) / a.denominator().evaluate(at) * Rational(3).pow(i);
+    }
+    EXPECT_EQ(value, expected) << space.to_string();
+  }
+  EXPECT_FALSE(interpolating_two_nodes_factored(Space::parse("1,x,x^2,x^3")).has_value());
+  EXPECT_FALSE(interpolating_two_nodes_factored(family_space("harmonic", 3)).has_value());
+}
+
 // a_m = 1/2 prod_{i != m} (1 - T_i)/(T_m - T_i) at v = 5/4, T_n = (2^n + 2^-n)/2, where nothing can be multiplied out.
 TEST(Interpolatory, HarmonicCoefficientsAsExponentCounts) {
   for (const unsigned l : {2U, 3U, 7U, 30U, 64U}) {

@@ -53,6 +53,14 @@ std::optional<std::vector<CosineProduct>> interpolating_coefficients_harmonic(co
 //   kappa = (-1)^n 2^{2-2n} G/(q p^{2n-1} (p+q)^n),   G = sum_{k<n} C(n-1+k,k) (2p)^{n-1-k} (p+q)^k.
 // nullopt for any other space.
 std::optional<Laurent> interpolating_symbol_two_nodes(const Space& space);
+// The same with nothing multiplied out: 2n numbers, no polynomial arithmetic.
+//   z^{-(2l-1)} zeta = 1 + sum_{j<n} f_j (w/p)^{2j+1} + kappa w (w^2 - p^2)^n,
+//   kappa = 1/q sum_{k<n} g_k p^{-n-k} (p+q)^{k-n}.
+struct TwoNodeSymbol {
+  Polynomial p, q;
+  std::vector<Rational> f, g;  // f_j = c (-1)^j C(n-1,j)/(2j+1), g_k = (-1)^n 2^{1-n-k} C(n-1+k,k)
+};
+std::optional<TwoNodeSymbol> interpolating_two_nodes_factored(const Space& space);
 
 // Route 1. matrix * solution = rhs; omega(z) = sum_i solution[i] z^{n-1-i} prod_{j<i} (z^2 - gamma_j z + 1), n nodes:
 // l, and l + 1 for an odd dimension.

@@ -54,6 +54,7 @@
 #include <utility>
 #include <vector>
 
+#include "twoscale/kernels/buffer_pool.hpp"
 #include "twoscale/kernels/error.hpp"
 #include "twoscale/kernels/mask_table.hpp"
 
@@ -878,6 +879,16 @@ class Refiner {
     const detail::Window all = prepare(points, dim, levels, boundary);
     std::vector<T> out(all.computed() * dim, levels_.zero);
     run(points, dim, boundary, all.first, out);
+    return out;
+  }
+
+  /// The same into memory of a pool (double, float and other plain numbers).
+  Buffer<T> refine(std::span<const T> points, std::size_t dim, int levels, Boundary boundary, BufferPool& pool)
+    requires std::is_trivially_copyable_v<T>
+  {
+    const detail::Window all = prepare(points, dim, levels, boundary);
+    Buffer<T> out = pool.take<T>(all.computed() * dim);
+    run(points, dim, boundary, all.first, out.span());
     return out;
   }
 
