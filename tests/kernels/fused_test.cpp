@@ -193,6 +193,49 @@ TEST(Fused, InterpolatingMasksOfEveryLengthAndDimension) {
   }
 }
 
+// Rows of many numbers: a grid whose rows are points.
+template <class Real>
+void compare_wide(long l, std::size_t dim, Boundary boundary) {
+  std::vector<double> mask(static_cast<std::size_t>(4 * l - 1), 0.0);
+  for (std::size_t s = 0; 2 * s < mask.size(); ++s)
+    mask[2 * s] = 1.0 / static_cast<double>(3 + std::min(2 * s, mask.size() - 1 - 2 * s));
+  mask[static_cast<std::size_t>(2 * l - 1)] = 1;
+  const MaskTable table = stationary(2, 1 - 2 * l, mask, "0", {2.5, -2, 0.5});
+  const std::vector<Real> points = random_points<Real>(41 * dim, static_cast<unsigned>(l));
+  for (const int levels : {2, 3, 5}) {
+    SCOPED_TRACE(std::to_string(l) + " pairs, " + std::to_string(dim) + " numbers, " + std::to_string(levels) +
+                 " levels, boundary " + std::to_string(static_cast<int>(boundary)));
+    const std::vector<Real> expected = plainly<Real>(points, dim, table, levels, boundary);
+    BufferPool pool;
+    const Buffer<Real> room = pool.take<Real>(expected.size() + 3);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      const Targets only(target);
+      for (const std::size_t offset : {std::size_t{0}, std::size_t{3}}) {
+        Refiner<Real> refiner(table);
+        detail::Cutting c;
+        c.tile_values = std::size_t{1} << 14;
+        c.grain_rows = 64;
+        c.stream = levels != 3;
+        refiner.set_cutting(c);
+        const std::span<Real> out = room.span().subspan(offset, expected.size());
+        std::fill(out.begin(), out.end(), Real(0));
+        refiner.refine(points, dim, levels, boundary, out);
+        expect_same_bits<Real>(out, expected);
+        if (::testing::Test::HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(Fused, WideRowsHaveTheBitsOfThePlainLoop) {
+  for (const Boundary boundary : boundaries)
+    for (const std::size_t dim : {std::size_t{32}, std::size_t{71}, std::size_t{128}})
+      for (long l = 1; l <= 5 && !HasFatalFailure(); ++l) {
+        compare_wide<double>(l, dim, boundary);
+        compare_wide<float>(l, dim, boundary);
+      }
+}
+
 // The order of refine.hpp, written out: of a symmetric phase the points of equal weights are added first.
 TEST(Fused, SumsOfSymmetricPhasesRunFromBothEnds) {
   const double a = 0.1, b = -0.3, c = 0.7, d = 0.2, e = 0.45;

@@ -51,6 +51,8 @@ void doubles_side_by_side(const SideBySide<double>&) {}
 void floats_side_by_side(const SideBySide<float>&) {}
 void three_steps_of_doubles(const ThreeSteps<double>&) {}
 void three_steps_of_floats(const ThreeSteps<float>&) {}
+void three_wide_steps_of_doubles(const ThreeWideSteps<double>&) {}
+void three_wide_steps_of_floats(const ThreeWideSteps<float>&) {}
 void move_doubles(const double*, std::size_t, double*) {}
 void move_floats(const float*, std::size_t, float*) {}
 
@@ -343,6 +345,38 @@ class Apart {
   Real* to_[kSegments];
 };
 
+// Where wide rows go, kRegisters of each: to places of their own.
+template <std::size_t kRegisters, bool kStream, class D>
+class RowsApart {
+  using Real = hn::TFromD<D>;
+
+ public:
+  HWY_INLINE RowsApart(Real* to, std::size_t stride) : to_(to), stride_(stride) {}
+
+  template <std::size_t kCount, class V>
+  HWY_INLINE void put(const V* HWY_RESTRICT row, std::size_t at) {
+    const D d;
+    constexpr std::size_t lanes = hn::MaxLanes(D());
+    Real* to = to_ + at / (kRegisters * lanes) * stride_;
+#pragma GCC unroll 64
+    for (std::size_t i = 0; i < kCount / kRegisters; ++i, to += stride_)
+#pragma GCC unroll 8
+      for (std::size_t c = 0; c < kRegisters; ++c) {
+        if constexpr (kStream) {
+          hn::Stream(row[i * kRegisters + c], d, to + c * lanes);
+        } else {
+          hn::StoreU(row[i * kRegisters + c], d, to + c * lanes);
+        }
+      }
+  }
+  HWY_INLINE std::size_t rest(std::size_t at) { return at; }
+  HWY_INLINE void flush(std::size_t) {}
+
+ private:
+  Real* to_;
+  std::size_t stride_;
+};
+
 // N rows of every phase, from number `at` of the input on.
 template <std::size_t kArity, std::size_t kRegisters, std::size_t N, class V, class PhasesOf>
 HWY_INLINE void block_of_rows(const PhasesOf& phases, std::size_t at, V* HWY_RESTRICT row) {
@@ -480,20 +514,14 @@ HWY_INLINE hn::Vec<D> row_of_step(D d, const hn::Vec<D>* HWY_RESTRICT weight, co
 // Every round takes a point, makes two rows of it ahead of those that the second step needs, makes four rows between
 // the last two steps and eight of these. The rows between go by in a window of registers, one for every register of a
 // row.
-template <std::size_t kPairs, std::size_t kRegisters, std::size_t kSegments, bool kStream, class D,
-          class Real = hn::TFromD<D>>
-void three_steps(D d, const ThreeSteps<Real>& g) {
+template <std::size_t kPairs, std::size_t kRegisters, std::size_t kSegments, std::size_t kPoints, class D, class Steps,
+          class Sink, class Real = hn::TFromD<D>>
+HWY_INLINE void three_steps(D d, const Steps& g, const Real* begin, std::size_t in_stride, Sink to) {
   using V = hn::Vec<D>;
   constexpr std::size_t lanes = hn::MaxLanes(D()), stride = kRegisters * lanes;
   constexpr long row_stride = static_cast<long>(stride), pairs = static_cast<long>(kPairs);
   constexpr std::size_t kept = 2 * kPairs - 1;
-  // Points between the last two steps whose rows are made at once: until their registers can be turned, and straight
-  // past the caches all of a round, so that the stores come in bursts.
-  constexpr std::size_t points = [] {
-    std::size_t n = kStream && (kSegments == 1 || register_bytes == 64) ? 4 : 1;
-    while (2 * n * kRegisters % kSegments != 0) n *= 2;
-    return n;
-  }();
+  constexpr std::size_t points = kPoints;
   constexpr std::size_t rounds = points > 4 ? points / 4 : 1;  // of which they take
   // Round q needs the rows 2q - behind .. 2q + ahead of the first step.
   constexpr long behind = pairs + pairs / 2 - 1, ahead = pairs + (pairs + 2) / 2;
@@ -505,17 +533,16 @@ void three_steps(D d, const ThreeSteps<Real>& g) {
     second[s] = hn::Set(d, g.second[s]);
     third[s] = hn::Set(d, g.third[s]);
   }
-  Apart<kSegments, 8 * rounds * kRegisters, kStream, D> to(g.apart);
   std::size_t at = 0;
   HWY_ALIGN Real made[(2 * piece + static_cast<std::size_t>(behind + ahead)) * stride];
   const Real* const made_first = made + behind * row_stride;
   for (std::size_t from = 0; from < g.groups; from += piece) {
     const std::size_t groups = std::min(piece, g.groups - from);
-    const Real* const in = g.in + from * stride;
+    const Real* const in = begin + from * in_stride;
     const auto make = [&](std::size_t q, long i) HWY_ATTR {  // row 2q + i of the first step
 #pragma GCC unroll 4
       for (std::size_t c = 0; c < kRegisters; ++c)
-        hn::StoreU(row_of_step<kPairs>(d, first, in + q * stride + c * lanes, i, row_stride), d,
+        hn::StoreU(row_of_step<kPairs>(d, first, in + q * in_stride + c * lanes, i, static_cast<long>(in_stride)), d,
                    made + (2 * q + static_cast<std::size_t>(i + behind)) * stride + c * lanes);
     };
 #pragma GCC unroll 32
@@ -553,6 +580,34 @@ void three_steps(D d, const ThreeSteps<Real>& g) {
   to.flush(at);
 }
 
+// Points between the last two steps whose rows are made at once: until their registers can be turned, and straight past
+// the caches all of a round, so that the stores come in bursts.
+template <std::size_t kRegisters, std::size_t kSegments, bool kStream>
+constexpr std::size_t points_at_once() {
+  std::size_t n = kStream && (kSegments == 1 || register_bytes == 64) ? 4 : 1;
+  while (2 * n * kRegisters % kSegments != 0) n *= 2;
+  return n;
+}
+
+template <std::size_t kPairs, std::size_t kRegisters, std::size_t kSegments, bool kStream, class D,
+          class Real = hn::TFromD<D>>
+void three_steps_apart(D d, const ThreeSteps<Real>& g) {
+  constexpr std::size_t points = points_at_once<kRegisters, kSegments, kStream>();
+  constexpr std::size_t rounds = points > 4 ? points / 4 : 1;
+  three_steps<kPairs, kRegisters, kSegments, points>(d, g, g.in, kRegisters * hn::MaxLanes(d),
+                                                     Apart<kSegments, 8 * rounds * kRegisters, kStream, D>(g.apart));
+}
+
+template <class Job>
+void with_pairs(std::size_t pairs, const Job& job) {
+  switch (pairs) {
+    case 1: return job(std::integral_constant<std::size_t, 1>());
+    case 2: return job(std::integral_constant<std::size_t, 2>());
+    case 3: return job(std::integral_constant<std::size_t, 3>());
+    default: return job(std::integral_constant<std::size_t, 4>());
+  }
+}
+
 template <std::size_t kWidth, class Real>
 void three_steps_of_width(const ThreeSteps<Real>& g) {
   using D = Whole<Real>;
@@ -560,16 +615,33 @@ void three_steps_of_width(const ThreeSteps<Real>& g) {
   if constexpr (kSegments > 0) {
     constexpr std::size_t kRegisters = kWidth * kSegments / hn::MaxLanes(D());
     const auto run = [&](auto pairs) {
-      return g.stream ? three_steps<decltype(pairs)::value, kRegisters, kSegments, true>(D(), g)
-                      : three_steps<decltype(pairs)::value, kRegisters, kSegments, false>(D(), g);
+      return g.stream ? three_steps_apart<decltype(pairs)::value, kRegisters, kSegments, true>(D(), g)
+                      : three_steps_apart<decltype(pairs)::value, kRegisters, kSegments, false>(D(), g);
     };
-    switch (g.pairs) {
-      case 1: return run(std::integral_constant<std::size_t, 1>());
-      case 2: return run(std::integral_constant<std::size_t, 2>());
-      case 3: return run(std::integral_constant<std::size_t, 3>());
-      default: return run(std::integral_constant<std::size_t, 4>());
-    }
+    with_pairs(g.pairs, run);
   }
+}
+
+template <class Real>
+void any_three_wide_steps(const ThreeWideSteps<Real>& g) {
+  using D = Whole<Real>;
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  constexpr std::size_t kRegisters = std::max<std::size_t>(2, 64 / (lanes * sizeof(Real))),
+                        columns = kRegisters * lanes;
+  static_assert(wide_columns % columns == 0);
+  const auto run = [&](auto pairs) {
+    constexpr std::size_t kPairs = decltype(pairs)::value;
+    const auto strip = [&](const Real* in, auto to) {
+      three_steps<kPairs, kRegisters, 1, 1>(D(), g, in, g.in_stride, to);
+    };
+    for (std::size_t c = 0; c < g.width; c += columns) {
+      if (g.stream)
+        strip(g.in + c, RowsApart<kRegisters, true, D>(g.out + c, g.out_stride));
+      else
+        strip(g.in + c, RowsApart<kRegisters, false, D>(g.out + c, g.out_stride));
+    }
+  };
+  with_pairs(g.pairs, run);
 }
 
 template <class Real>
@@ -579,6 +651,8 @@ void any_three_steps(const ThreeSteps<Real>& g) {
 
 void three_steps_of_doubles(const ThreeSteps<double>& g) { any_three_steps(g); }
 void three_steps_of_floats(const ThreeSteps<float>& g) { any_three_steps(g); }
+void three_wide_steps_of_doubles(const ThreeWideSteps<double>& g) { any_three_wide_steps(g); }
+void three_wide_steps_of_floats(const ThreeWideSteps<float>& g) { any_three_wide_steps(g); }
 
 template <class Real>
 void move_whole(const Real* from, std::size_t count, Real* to) {
@@ -684,6 +758,8 @@ HWY_EXPORT(doubles_side_by_side);
 HWY_EXPORT(floats_side_by_side);
 HWY_EXPORT(three_steps_of_doubles);
 HWY_EXPORT(three_steps_of_floats);
+HWY_EXPORT(three_wide_steps_of_doubles);
+HWY_EXPORT(three_wide_steps_of_floats);
 
 void run_groups(const Groups<double>& g) { HWY_DYNAMIC_DISPATCH(groups_of_doubles)(g); }
 void run_groups(const Groups<float>& g) { HWY_DYNAMIC_DISPATCH(groups_of_floats)(g); }
@@ -693,6 +769,9 @@ void run_side_by_side(const SideBySide<float>& g) { HWY_DYNAMIC_DISPATCH(floats_
 
 void run_three_steps(const ThreeSteps<double>& g) { HWY_DYNAMIC_DISPATCH(three_steps_of_doubles)(g); }
 void run_three_steps(const ThreeSteps<float>& g) { HWY_DYNAMIC_DISPATCH(three_steps_of_floats)(g); }
+
+void run_three_wide_steps(const ThreeWideSteps<double>& g) { HWY_DYNAMIC_DISPATCH(three_wide_steps_of_doubles)(g); }
+void run_three_wide_steps(const ThreeWideSteps<float>& g) { HWY_DYNAMIC_DISPATCH(three_wide_steps_of_floats)(g); }
 
 std::size_t best_segments(std::size_t bytes, std::size_t width) { return HWY_DYNAMIC_DISPATCH(segments)(bytes, width); }
 

@@ -61,10 +61,27 @@ struct ThreeSteps {
   Real* const* apart;
   bool stream;
 };
+
+// The same of wide rows, `width` a multiple of wide_columns: row j of the input begins at in + j*in_stride, row i of
+// the output at out + i*out_stride; with `stream` a multiple of 64 bytes.
+template <class Real>
+struct ThreeWideSteps {
+  const Real *first, *second, *third;
+  std::size_t pairs;
+  std::size_t groups;
+  std::size_t width;
+  const Real* in;
+  std::size_t in_stride;
+  Real* out;
+  std::size_t out_stride;
+  bool stream;
+};
 constexpr bool has_three_steps(std::size_t pairs) { return pairs >= 1 && pairs <= 4; }
 
 void run_three_steps(const ThreeSteps<double>& g);
 void run_three_steps(const ThreeSteps<float>& g);
+void run_three_wide_steps(const ThreeWideSteps<double>& g);
+void run_three_wide_steps(const ThreeWideSteps<float>& g);
 
 // How many segments a polygon of such rows, of numbers of 8 or 4 bytes, is best cut into on this machine; 0: do not.
 std::size_t best_segments(std::size_t bytes, std::size_t width);

@@ -67,6 +67,15 @@ void VectorStep<Real>::three_apart(const VectorStep& second, const VectorStep& t
   run_three_steps({weight(*this), weight(second), weight(third), pairs_between(), groups, width, in, out, stream});
 }
 
+template <class Real>
+void VectorStep<Real>::three_wide(const VectorStep& second, const VectorStep& third, const Real* in,
+                                  std::size_t in_stride, std::size_t groups, std::size_t width, Real* out,
+                                  std::size_t out_stride, bool stream) const {
+  const auto weight = [](const VectorStep& step) { return step.phases_.weight.data() + step.phases_.phase[1].begin; };
+  run_three_wide_steps({weight(*this), weight(second), weight(third), pairs_between(), groups, width, in, in_stride,
+                        out, out_stride, stream});
+}
+
 template <>
 std::size_t segments_of<double>(int arity, std::size_t width) {
   return arity <= 3 ? best_segments(sizeof(double), width) : 0;

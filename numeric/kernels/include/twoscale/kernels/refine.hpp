@@ -283,6 +283,10 @@ class VectorStep {
   void three_apart(const VectorStep& second, const VectorStep& third, const Real* in, std::size_t groups,
                    std::size_t width, Real* const* out, bool stream) const;
 
+  // The same of wide rows, a multiple of `wide_columns` numbers, with strides in numbers.
+  void three_wide(const VectorStep& second, const VectorStep& third, const Real* in, std::size_t in_stride,
+                  std::size_t groups, std::size_t width, Real* out, std::size_t out_stride, bool stream) const;
+
  private:
   long arity_;
   Phases<Real> phases_;
@@ -303,9 +307,13 @@ std::size_t segments_of<double>(int arity, std::size_t width);
 template <>
 std::size_t segments_of<float>(int arity, std::size_t width);
 constexpr std::size_t most_segments = 16;
+constexpr std::size_t most_width_side_by_side = 4;
 constexpr std::size_t place_in_segments(std::size_t segments, std::size_t width, std::size_t l, std::size_t c) {
   return (width & (width - 1)) == 0 ? l * width + c : c * segments + l;
 }
+
+// Columns of wide rows that three steps take at once: a register, or more, on every machine.
+constexpr std::size_t wide_columns = 32;
 
 template <class T>
 using Step = std::conditional_t<is_vectorised<T>, VectorStep<T>, PlainStep<T>>;
@@ -496,11 +504,13 @@ class Tile {
     if constexpr (is_vectorised<T>) {
       if (segments_ > 0) {
         run_segments(job, width, out);
+      } else if (wide_) {
+        run_wide(job, first, last, width, out);
       } else if (job.stream) {
         write_past(job, first, last, width, out);
       }
       if (job.stream) return drain();
-      if (segments_ > 0) return;
+      if (segments_ > 0 || wide_) return;
     }
     one_step(job, levels, first, static_cast<std::size_t>(last - first + 1), width, out, job.out_stride);
   }
@@ -523,6 +533,37 @@ class Tile {
             second.highest + second.arity * first.highest, 0};
   }
 
+  // The last three steps put new points between the old ones by the same number of pairs of weights.
+  static bool three_as_one(const Job<T>& job) {
+    const std::size_t levels = job.plan->shapes.size();
+    const auto pairs = [&](std::size_t k) { return step(job, k).pairs_between(); };
+    return levels >= 3 && pairs(levels - 1) > 0 && pairs(levels - 1) == pairs(levels - 2) &&
+           pairs(levels - 1) == pairs(levels - 3);
+  }
+
+  // Wide rows, away from the ends that a boundary fills: the last three steps as one, if they can be.
+  void cut_wide(const Job<T>& job, long first, long last, std::size_t width) {
+    const std::size_t levels = job.plan->shapes.size();
+    if (segments_of<T>(2, 1) == 0 || !three_as_one(job) || width % wide_columns != 0 || first % 8 != 0 ||
+        (last - first + 1) % 16 != 0)
+      return;
+    for (std::size_t k = levels - 3; k < levels; ++k)
+      if (windows_[k].stored() != windows_[k].computed()) return;
+    cut_at_ = levels - 3;
+    wide_ = true;
+  }
+
+  void run_wide(const Job<T>& job, long first, long last, std::size_t width, T* out) {
+    const std::size_t levels = job.plan->shapes.size();
+    const Source& in = rows_[levels - 3];
+    const bool past =
+        job.stream && reinterpret_cast<std::uintptr_t>(out) % 64 == 0 && job.out_stride * sizeof(T) % 64 == 0;
+    step(job, levels - 3)
+        .three_wide(step(job, levels - 2), step(job, levels - 1),
+                    in.data + (first / 8 - in.first) * static_cast<long>(in.stride), in.stride,
+                    static_cast<std::size_t>(last - first + 1) / 8, width, out, job.out_stride, past);
+  }
+
   // The last levels of a tile as equal segments side by side: then no register crosses a line, and rows need no
   // merging until the last level. Segments are cut at multiples of the rows of one point of the level cut_at_, so their
   // windows differ by a shift only.
@@ -530,7 +571,9 @@ class Tile {
     const std::size_t levels = job.plan->shapes.size();
     segments_ = 0;
     cut_at_ = levels;
+    wide_ = false;
     if constexpr (is_vectorised<T>) {
+      if (width > most_width_side_by_side) return cut_wide(job, first, last, width);
       const auto segments = static_cast<long>(job.segments);
       if (segments == 0 || job.together == 0 || job.out_stride != width) return;
       rows_of_segment_ = (last - first + 1) / segments;
@@ -548,11 +591,8 @@ class Tile {
       // The last step, or three as one.
       ends_at_ = levels - 1;
       end_ = job.plan->shapes[ends_at_];
-      if (job.together >= 3 && first % 8 == 0) {
-        const auto pairs = [&](std::size_t k) { return step(job, k).pairs_between(); };
-        if (pairs(levels - 1) > 0 && pairs(levels - 1) == pairs(levels - 2) && pairs(levels - 1) == pairs(levels - 3))
-          while (ends_at_ > levels - 3) end_ = together(job.plan->shapes[--ends_at_], end_);
-      }
+      if (job.together >= 3 && first % 8 == 0 && three_as_one(job))
+        while (ends_at_ > levels - 3) end_ = together(job.plan->shapes[--ends_at_], end_);
       // Rows that begin no line anywhere (an output of malloc, two numbers a row) are written as usual.
       past_ = job.stream && reinterpret_cast<std::uintptr_t>(out) % 64 == 0;
     }
@@ -755,6 +795,7 @@ class Tile {
   bool gathered_ = false;
   std::size_t segments_ = 0;  // of this tile; 0: it is not cut
   std::size_t cut_at_ = 0;    // the level from which on they lie side by side
+  bool wide_ = false;         // rows that take their last three steps as one
   std::size_t ends_at_ = 0;   // and the last one of which they do
   LevelShape end_;            // the step, or the three as one, after it
   bool past_ = false;         // and are written past the caches
@@ -883,9 +924,8 @@ class Refiner {
   }
 
   /// The same into memory of a pool (double, float and other plain numbers).
-  Buffer<T> refine(std::span<const T> points, std::size_t dim, int levels, Boundary boundary, BufferPool& pool)
-    requires std::is_trivially_copyable_v<T>
-  {
+  Buffer<T> refine(std::span<const T> points, std::size_t dim, int levels, Boundary boundary,
+                   BufferPool& pool) requires std::is_trivially_copyable_v<T> {
     const detail::Window all = prepare(points, dim, levels, boundary);
     Buffer<T> out = pool.take<T>(all.computed() * dim);
     run(points, dim, boundary, all.first, out.span());
@@ -1024,14 +1064,16 @@ class Refiner {
     g.across = (dim + g.columns - 1) / g.columns;
     long unit = 64 * m;  // whole groups, whole lines
     const std::size_t levels = plan_.shapes.size();
-    if (levels > 0 && !levels_.finish && dim <= g.columns) {
-      job.segments = detail::segments_of<T>(static_cast<int>(m), dim);
-      for (long rows = 1; job.together < std::min(levels, cutting_.together); ++job.together) {
-        rows *= plan_.shapes[levels - 1 - job.together].arity;
-        if (rows > 1024) break;
+    if (levels > 0 && !levels_.finish) {
+      if (dim <= g.columns) {
+        job.segments = detail::segments_of<T>(static_cast<int>(m), dim);
+        for (long rows = 1; job.together < std::min(levels, cutting_.together); ++job.together) {
+          rows *= plan_.shapes[levels - 1 - job.together].arity;
+          if (rows > 1024) break;
+        }
+        if (job.segments > 0 && job.together > 0)
+          unit = detail::segment_unit(plan_, job.together) * static_cast<long>(job.segments);
       }
-      if (job.segments > 0 && job.together > 0)
-        unit = detail::segment_unit(plan_, job.together) * static_cast<long>(job.segments);
       if (job.boundary == Boundary::linear || job.boundary == Boundary::space) {
         // In points of the level of the cut, of which a unit has at least as many as segments.
         const detail::LevelShape& shape = plan_.shapes.back();
