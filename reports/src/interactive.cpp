@@ -7,6 +7,7 @@
 #include "twoscale/kernels/points_io.hpp"
 #include "twoscale/lowering/emit.hpp"
 #include "twoscale/lowering/refine_hermite.hpp"
+#include "twoscale/reports/curves.hpp"
 #include "twoscale/reports/html.hpp"
 
 namespace twoscale::reports {
@@ -56,6 +57,16 @@ Json constant(const Parameter& p, double value) {
   return j;
 }
 
+// Points beyond each end of an open polygon, as refine takes them for this scheme.
+kernels::EndPoints beyond_ends(const Scheme& scheme) {
+  if (scheme.block > 1) return {};
+  if (is_uniform(scheme)) return points_beyond_ends(scheme);
+  const Stencil& made = scheme.phases[1];
+  const long highest = made.lowest + static_cast<long>(made.blocks.size()) - 1;
+  const long reach = std::max(-made.lowest, highest - 1);  // edges on either side of the one that is halved
+  return {2 * reach, 2 * reach};
+}
+
 Json local(const Parameter& p) {
   Json j{{"name", p.name}, {"label", p.name}, {"offsets", p.offsets}};
   if (p.rest) {
@@ -92,6 +103,8 @@ std::string drawn(Part& part, const Scheme& scheme, const lowering::Binding& bin
   for (std::size_t i = 0; i + 1 < what.points.size(); i += 2)
     config["points"].push_back({what.points[i], what.points[i + 1]});
   if (!vertices.empty()) config["vertices"] = vertices;
+  const kernels::EndPoints beyond = beyond_ends(scheme);
+  config["beyond"] = {beyond.left, beyond.right};
   config["levels"] = config["constants"] = config["locals"] = Json::array();
   for (const Parameter& p : scheme.parameters) switch (p.scope) {
       case Parameter::Scope::level:
@@ -114,14 +127,16 @@ std::string drawn(Part& part, const Scheme& scheme, const lowering::Binding& bin
   const std::string& id = what.id;
   std::string object;
   for (const char* member : {"arity", "lowest", "size", "start", "next", "mask"})
-    object += (object.empty() ? "" : ", ") + std::string(member) + ": " + id + "_" + member;
+    object += std::string(member) + ": " + id + "_" + member + ", ";
+  const kernels::Shift shift = kernels::parse_shift(scheme.shift.to_string());
+  object += "shift: [" + std::to_string(shift.num) + ", " + std::to_string(shift.den) + "]";
   return "<div class=\"interactive\" id=\"" + id +
          "\"><p>Here a curve can be drawn and changed when scripts may run.</p></div>\n" +
          script(lowering::emit_evaluator(scheme, lowering::Language::javascript, {id, {}})) +
          script("document.addEventListener(\"DOMContentLoaded\", () => interactiveCurve(document.getElementById(\"" +
                 id + "\"),\n  {" + object + "},\n  " + in_script(config) + "));\n") +
          "<p class=\"small\">Drag the points, or move them with the arrow keys; " +
-         (vertices.empty() ? "a double click on an edge adds a point, on a point removes it"
+         (vertices.empty() ? "a double click on an edge (or beyond an open end) adds a point, on a point removes it"
                            : "the derivatives at the points and their σ stay") +
          ". The curve is computed in this page, in double precision, by the evaluator that <code>twoscale table " +
          escaped(what.name) + " --evaluator --format javascript</code> prints.</p>\n";

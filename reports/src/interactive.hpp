@@ -14,7 +14,7 @@ namespace twoscale::reports {
 struct Interactive {
   std::string id;              // an identifier, unique on the page: of the element, and before the evaluator's names
   std::string name;            // of the scheme, quoted for a shell
-  std::vector<double> points;  // x, y of a closed polygon
+  std::vector<double> points;  // x, y of a polygon, closed at first
 };
 
 // A closed polygon with short and long edges, a reflex vertex and an acute one.

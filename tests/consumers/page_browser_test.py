@@ -132,6 +132,21 @@ class Pages(FilesTest):
             input.dispatchEvent(new Event("input"));
         }})()""")
 
+    def set_ends(self, ends):
+        self.browser.evaluate(f"""(() => {{
+            const select = document.querySelector('select[aria-label="ends"]');
+            select.value = "{ends}";
+            select.dispatchEvent(new Event("change"));
+        }})()""")
+
+    def text(self, selector):
+        return self.browser.evaluate(f'document.querySelector({json.dumps(selector)}).textContent')
+
+    def click(self, x, y, times=1):
+        for clicks in range(1, times + 1):
+            self.browser.mouse("mousePressed", x, y, clickCount=clicks)
+            self.browser.mouse("mouseReleased", x, y, clickCount=clicks)
+
     def check_formulas(self):
         boxes = self.browser.evaluate("""(() => {
             document.querySelectorAll("details").forEach((d) => { d.open = true; });
@@ -211,15 +226,10 @@ class Pages(FilesTest):
             self.browser.call("Input.dispatchKeyEvent", type=kind, key="ArrowLeft", code="ArrowLeft", windowsVirtualKeyCode=37)
         self.assertNotEqual(self.curve(), dragged)
         # A double click on a point removes it, one elsewhere adds one.
-        x, y = moved["x"] + moved["width"] / 2 - 5, moved["y"] + moved["height"] / 2
-        for clicks in (1, 2):
-            self.browser.mouse("mousePressed", x, y, clickCount=clicks)
-            self.browser.mouse("mouseReleased", x, y, clickCount=clicks)
+        self.click(moved["x"] + moved["width"] / 2 - 5, moved["y"] + moved["height"] / 2, times=2)
         self.assertEqual(self.browser.evaluate(f"{handles}.length"), count - 1)
         svg = self.browser.evaluate('document.querySelector(".interactive svg").getBoundingClientRect().toJSON()')
-        for clicks in (1, 2):
-            self.browser.mouse("mousePressed", svg["x"] + 20, svg["y"] + 20, clickCount=clicks)
-            self.browser.mouse("mouseReleased", svg["x"] + 20, svg["y"] + 20, clickCount=clicks)
+        self.click(svg["x"] + 20, svg["y"] + 20, times=2)
         self.assertEqual(self.browser.evaluate(f"{handles}.length"), count)
         self.assertEqual(self.browser.complaints(), [])
 
@@ -232,12 +242,80 @@ class Pages(FilesTest):
         # Another edge is marked by a click, and has a value of its own.
         self.browser.evaluate('document.querySelector(".interactive").scrollIntoView()')
         box = self.browser.evaluate('document.querySelectorAll(".handle")[3].getBoundingClientRect().toJSON()')
-        self.browser.mouse("mousePressed", box["x"] + 5, box["y"] - 12, clickCount=1)
-        self.browser.mouse("mouseReleased", box["x"] + 5, box["y"] - 12, clickCount=1)
+        self.click(box["x"] + 5, box["y"] - 12)
         value = 'document.querySelector(\'input[type="number"][aria-label^="lambda"]\').value'
         self.assertEqual(self.browser.evaluate(value), "0.5")
         self.set_number("lambda of the marked edge", 0.1)
         self.assertNotEqual(self.curve(), marked)
+        self.assertEqual(self.browser.complaints(), [])
+
+    def test_open_polygon(self):
+        self.open("dd:l=2")
+        self.browser.evaluate('document.querySelector(".interactive").scrollIntoView()')
+        handles = 'document.querySelectorAll(".handle")'
+        crown = 'document.querySelector(".interactive .crown").getAttribute("d")'
+        start = self.curve()
+        count = self.browser.evaluate(f"{handles}.length")
+        self.assertTrue(start.endswith("Z"))
+        self.set_ends("linear")
+        opened = self.curve()
+        self.assertFalse(opened.endswith("Z"))
+        self.assertFalse(self.browser.evaluate(crown).endswith("Z"))
+        self.assertEqual(self.text(".interactive .message").split(".")[0],
+                         f"{count} points become {opened.count('L') + 1}")
+        self.assertIn("--open linear --levels", self.text(".controls code"))
+        # It runs from the first point to the last one.
+        first, last = (self.browser.evaluate(f'[..."xy"].map((c) => {handles}[{i}].getAttribute("c" + c)).join(" ")')
+                       for i in (0, count - 1))
+        self.assertTrue(opened.startswith("M" + first), first)
+        self.assertTrue(opened.endswith("L" + last), last)
+        # Points beyond the ends are part of the polygon, and shown so; the curve ends between them.
+        self.set_ends("given")
+        self.assertEqual(self.browser.evaluate(f'[...{handles}].map((h) => Number(h.classList.contains("beyond"))).join("")'),
+                         "1100011")
+        given = self.curve()
+        self.assertLess(given.count("L"), opened.count("L"))
+        # A point moves the curve; a double click beyond an end adds one there.
+        self.set_ends("linear")
+        box = self.browser.evaluate(f"{handles}[{count - 1}].getBoundingClientRect().toJSON()")
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        self.browser.mouse("mousePressed", x, y, clickCount=1)
+        self.browser.mouse("mouseMoved", x - 10, y, buttons=1)
+        self.browser.mouse("mouseReleased", x - 10, y, clickCount=1)
+        dragged = self.curve()
+        self.assertNotEqual(dragged, opened)
+        self.click(x - 40, y + 5, times=2)
+        self.assertEqual(self.browser.evaluate(f"{handles}.length"), count + 1)
+        longer = self.curve()
+        self.assertGreater(longer.count("L"), dragged.count("L"))
+        self.assertAlmostEqual(self.browser.evaluate(f"{handles}[{count}].getBoundingClientRect().x") + box["width"] / 2,
+                               x - 40, delta=1)
+        self.browser.evaluate("""[...document.querySelectorAll("button")].find((b) => b.textContent === "reset").click()""")
+        self.assertEqual(self.curve(), start)
+        self.assertEqual(self.browser.complaints(), [])
+
+    def test_ends_that_need_more_points(self):
+        self.open("dd:l=3")
+        self.set_ends("given")
+        self.assertEqual(self.curve(), "")
+        self.assertIn("need more than 7 points", self.text(".interactive .message"))
+
+    def test_open_edge_parameters(self):
+        self.open("nuli4")
+        start = self.curve()
+        self.browser.evaluate('document.querySelector(".interactive").scrollIntoView()')
+        # The closing edge is marked, and goes; another one is marked then.
+        first, last = (self.browser.evaluate(f'document.querySelectorAll(".handle")[{i}].getBoundingClientRect().toJSON()')
+                       for i in (0, 6))
+        self.click((first["x"] + last["x"] + first["width"]) / 2, (first["y"] + last["y"] + first["height"]) / 2)
+        chosen = 'document.querySelector(".interactive .chosen").getAttribute("d")'
+        closing = self.browser.evaluate(chosen)
+        self.set_ends("linear")
+        self.assertNotEqual(self.browser.evaluate(chosen), closing)
+        opened = self.curve()
+        self.assertNotEqual(opened, start)
+        self.set_number("lambda of the marked edge", 0.9)
+        self.assertNotEqual(self.curve(), opened)
         self.assertEqual(self.browser.complaints(), [])
 
     def test_paper(self):
