@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: 0BSD
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Memory for results that goes round.
 #include "twoscale/kernels/buffer_pool.hpp"
 
